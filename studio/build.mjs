@@ -72,7 +72,7 @@ const licences = [...used].sort().map((name) => {
   if (!licence) throw new Error(`${name} comes without a text of its licence`);
   return `${name} ${version}\n\n${readFileSync(join(folder, licence), 'utf8').trim()}`;
 });
-const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker].join('\0'));
+const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8')].join('\0'));
 
 // --- the page
 const held = (id, bytes, done) => {

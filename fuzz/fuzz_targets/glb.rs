@@ -11,7 +11,10 @@ target!(|bytes: &[u8]| {
     match read(bytes, &ReadOptions::default()) {
         Ok(clip) => {
             clip.findings.iter().for_each(|finding| said("", &finding.message));
-            assert!((0..clip.motion.len()).all(|i| clip.motion.q(i).iter().all(|x| x.is_finite())), "a place that is none");
+            assert!(
+                (0..clip.motion.len()).all(|i| clip.motion.q(i).iter().all(|x| x.is_finite())),
+                "a place that is none"
+            );
             figure("nan", &clip.figure);
             let table = clip.table_of(&clip.figure).expect("the clip's own figure");
             solaris_fuzz::table("nan", &table);

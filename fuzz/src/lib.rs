@@ -3,12 +3,14 @@
 //! A target is a file of `fuzz_targets`: it reads, and hands what was read to [`import`], [`figure`] or [`table`], which do
 //! what `solaris check` and `solaris inverse` do with it.
 
+mod chosen;
 mod figure;
 mod files;
 mod mutate;
 mod recording;
 mod table;
 
+pub use chosen::Chosen;
 pub use figure::{figure, import};
 pub use files::Files;
 pub use libfuzzer_sys;

@@ -15,5 +15,14 @@ pub fn recording(source: &str, recording: &Recording) {
         assert!(table.values.iter().all(|value| !value.is_nan()), "a force that is no number");
     }
     let mut written = Vec::new();
-    trc::write(&turned.markers, "again", LengthUnit::Millimetres, &mut written).expect("a vector takes all");
+    match trc::write(&turned.markers, "again", LengthUnit::Millimetres, &mut written) {
+        Ok(()) => {
+            let written = std::str::from_utf8(&written).expect("text");
+            match trc::read(written, &trc::ReadOptions { unit: Some(LengthUnit::Millimetres) }) {
+                Ok(again) => assert_eq!(again.markers.names(), turned.markers.names(), "names of\n{written}"),
+                Err(error) => panic!("what was written is not read: {error}\n{written}"),
+            }
+        }
+        Err(error) => crate::refused(&error),
+    }
 }

@@ -7,7 +7,8 @@ import { byId, el, number } from './ui/dom.ts';
 import { makeTabs, type Tabs } from './ui/tabs.ts';
 import { view } from './view.ts';
 
-declare const solarisParts: { viewer: string; worker: string; engine: [string, number, number] };
+// `viewer` and `style`: what pages of motions are made with.
+export const parts = (globalThis as unknown as { solarisParts: { viewer: string; style: string; worker: string; engine: [string, number, number] } }).solarisParts;
 
 export interface App {
   engine: Engine;
@@ -30,7 +31,7 @@ export interface App {
 }
 
 export function makeApp(): App {
-  const engine = new Engine(solarisParts.worker, { packed: solarisParts.engine });
+  const engine = new Engine(parts.worker, { packed: parts.engine });
   let second: Promise<Engine> | null = null;
   const tools = makeTabs(byId('tool-tabs'), byId('tools'));
   const results = makeTabs(byId('result-tabs'), byId('results'));
@@ -48,7 +49,7 @@ export function makeApp(): App {
   const self: App = {
     engine,
     background: () => (second ??= self.another()),
-    another: () => engine.module.then((module) => new Engine(solarisParts.worker, { module })),
+    another: () => engine.module.then((module) => new Engine(parts.worker, { module })),
     show,
     tools,
     results,

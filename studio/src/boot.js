@@ -20,9 +20,9 @@ if (globalThis.document) {
     const { textContent: text, dataset } = element(id);
     return [text, Number(dataset.packed), Number(dataset.size)];
   };
-  const [viewer, studio, worker] = new TextDecoder().decode(unpack(...held('code'))).split('\0');
+  const [viewer, studio, worker, style] = new TextDecoder().decode(unpack(...held('code'))).split('\0');
   const run = (text) => document.head.append(Object.assign(document.createElement('script'), { textContent: text }));
-  globalThis.solarisParts = { viewer, worker: `${element('boot').textContent}\n${worker}`, engine: held('engine') };
+  globalThis.solarisParts = { viewer, style, worker: `${element('boot').textContent}\n${worker}`, engine: held('engine') };
   run(viewer);
   run(studio);
 }

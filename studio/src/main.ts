@@ -4,16 +4,29 @@ import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
 import { makeScenePanel } from './panels/scene.ts';
+import { makeFilesPanel } from './panels/files.ts';
 import { makeWalkPanel } from './panels/walk.ts';
+import { restore } from './link.ts';
+import { receive } from './receive.ts';
+import { makeSave } from './save.ts';
 
 const app = makeApp();
 const text = makeDocument(app);
 const walk = makeWalkPanel(app);
 makeScenePanel(app, text);
+const files = makeFilesPanel(app, text);
+makeSave(app, text, walk);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
-walk.start().then(() => (document.body.dataset.ready = 'true'), app.fault);
+restore(app, text, walk)
+  .then(async (panel) => {
+    await walk.start();
+    if (panel) app.tools.open(panel);
+    receive(app, files.page);
+    document.body.dataset.ready = 'true';
+  })
+  .catch(app.fault);
 
 // Another panel by its number.
 document.addEventListener('keydown', (event) => {
@@ -26,4 +39,11 @@ document.addEventListener('keydown', (event) => {
 });
 
 // For scripts and tests.
-Object.assign(globalThis, { studio: { ...app, document: text } });
+const scripted = {
+  ...app,
+  document: text,
+  get motion() {
+    return app.motion;
+  },
+};
+Object.assign(globalThis, { studio: scripted });

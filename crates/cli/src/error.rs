@@ -6,12 +6,13 @@ mod usage;
 pub(crate) use refusal::Refusal;
 pub(crate) use usage::UsageError;
 
-use crate::args::{Number, ValueError};
+use crate::args::{Cli, Number, ValueError};
 use crate::underline;
+use clap::Parser;
 use solaris::files::{ExternalError, FileError};
 use solaris::gait::{GaitError, RequestError};
 use solaris::io::FilesError;
-use solaris::model::{HumanError, TextError};
+use solaris::model::{HumanError, TextError, plain};
 use std::error::Error;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -199,13 +200,25 @@ fn four(value: f64) -> f64 {
     (value * 1e4).round() / 1e4
 }
 
+/// Ends the program as clap does, with help, the version or what it cannot understand: that with the words of the command line as they
+/// may be shown.
+pub(crate) fn end(error: &clap::Error) -> ! {
+    if error.use_stderr() {
+        let words = std::env::args_os().map(|word| plain(&word.to_string_lossy()).into_owned());
+        if let Err(shown) = Cli::try_parse_from(words) {
+            shown.exit();
+        }
+    }
+    error.exit()
+}
+
 /// Prints an error and what to do next. Where that cannot be printed either, the exit code has to do.
 pub(crate) fn show(error: &CliError, command: &str) {
     let mut stderr = anstream::stderr().lock();
-    let _ = writeln!(stderr, "\x1b[1;31merror:\x1b[0m {error}");
+    let _ = writeln!(stderr, "\x1b[1;31merror:\x1b[0m {}", plain(&error.to_string()));
     let _ = match error {
         CliError::Option { option, .. } => {
-            writeln!(stderr, "\nsolaris {command} --help tells what --{option} is")
+            writeln!(stderr, "\nsolaris {} --help tells what --{option} is", plain(command))
         }
         CliError::Usage(_) => writeln!(stderr, "\nFor more information, try '--help'."),
         CliError::Text { path, text, faults } => write!(stderr, "{}", underline::faults(path, text, faults)),

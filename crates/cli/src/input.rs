@@ -1,7 +1,7 @@
 //! Files that are read: the library's readers, and the program's error of a text.
 
 pub(crate) use solaris::files::{
-    Body, Language, body, body_in, body_with, clip, decoded, extension, is_clip, is_motion, motion,
+    Body, Language, body, body_in, body_with, bytes, clip, decoded, extension, is_clip, is_motion, motion,
     refuse_unread, table, text,
 };
 

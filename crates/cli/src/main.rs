@@ -48,7 +48,7 @@ fn main() -> ExitCode {
     let result = match Cli::try_parse() {
         Ok(cli) => run(&cli.command),
         // Help and the version come this way, too.
-        Err(error) => Err(CliError::of_clap(error).unwrap_or_else(|error| error.exit())),
+        Err(error) => Err(CliError::of_clap(error).unwrap_or_else(|error| error::end(&error))),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

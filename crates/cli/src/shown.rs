@@ -2,7 +2,6 @@
 
 use crate::error::CliError;
 use crate::given::{Given, GivenReport};
-use crate::input::{Body, Language};
 use crate::words::capital;
 use solaris::analysis::InverseReport;
 use solaris::analysis::ground::Sole;

@@ -2,7 +2,7 @@
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use solaris::model::{TextError, TextFault};
+use solaris::model::{TextError, TextFault, is_unseen, plain};
 use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
@@ -16,6 +16,7 @@ const MOST_SHOWN: usize = 4000;
 pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
     let renderer = Renderer::styled().decor_style(DecorStyle::Unicode).term_width(WIDTH);
     let path = path.display().to_string();
+    let path = plain(&path);
     let mut shown = String::new();
     for fault in &error.faults {
         let _ = write!(shown, "\n{}\n", block(&renderer, &path, text, fault));
@@ -32,10 +33,10 @@ pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
 }
 
 fn block(renderer: &Renderer, path: &str, text: &str, fault: &TextFault) -> String {
-    let TextFault { place, message, .. } = fault;
+    let (place, message) = (&fault.place, &*plain(&fault.message));
     let lines = around(text, &place.span);
     let source = &text[lines.clone()];
-    if source.len() > MOST_SHOWN || source.contains(|c: char| c.is_control() && !"\n\r\t".contains(c)) {
+    if source.len() > MOST_SHOWN || source.replace("\r\n", "\n").contains(is_unseen) {
         return format!("{path}:{}:{}: {message}", place.line, place.column);
     }
     let span = place.span.start - lines.start..place.span.end - lines.start;

@@ -76,7 +76,8 @@ fn markers_are_fitted_to_a_model_and_alone_are_points() {
     let leg = opened(&["markers/leg.osim", "markers/swing.trc"]);
     assert!(leg.faults.is_empty(), "{:?}", leg.faults);
     let fit = leg.fit.as_ref().expect("fitted");
-    assert!(fit.found.rms() < 5e-3, "{}", fit.found.rms());
+    // The leg is not brought to the size of who wore them.
+    assert!(fit.found.rms() < 0.03, "{}", fit.found.rms());
     assert_eq!(leg.motion.as_ref().expect("a motion").motion.len(), fit.recording.markers.len());
     let alone = opened(&["clips/walk.c3d"]);
     let (body, motion) = (alone.body.as_ref().expect("points"), alone.motion.as_ref().expect("their motion"));
@@ -109,9 +110,15 @@ fn a_scene_finds_the_files_that_it_names_by_their_last_names() {
     assert!(clip.scene.as_ref().expect("a scene").held.is_some(), "{:?}", clip.faults);
     assert_eq!(what(&clip, "box.urdf"), ("named by box.ron", true));
     assert!(!what(&clip, "soles.ron").1);
-    let crowd = opened(&["scenes/crowd.ron", "scenes/parts/bystanders.ron"]);
-    assert!(crowd.faults.is_empty(), "{:?}", crowd.faults);
-    assert_eq!(crowd.scene.expect("a scene").path, Path::new("crowd.ron"));
+    // Whichever comes first, the one that includes the other is the scene.
+    for paths in [
+        ["scenes/parts/bystanders.ron", "scenes/crowd.ron"],
+        ["scenes/crowd.ron", "scenes/parts/bystanders.ron"],
+    ] {
+        let crowd = opened(&paths);
+        assert!(crowd.faults.is_empty(), "{:?}", crowd.faults);
+        assert_eq!(crowd.scene.expect("a scene").path, Path::new("crowd.ron"));
+    }
 }
 
 #[test]

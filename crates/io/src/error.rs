@@ -256,6 +256,17 @@ pub enum IoError {
         /// The heading.
         name: String,
     },
+    /// A heading of CSV, or a marker's name, that would not be read as it is written.
+    #[error(
+        "'{name}' cannot be a name in {format}: one ends in its line, and blanks, quotes and byte order marks around it are lost; \
+         rename it"
+    )]
+    Heading {
+        /// The name.
+        name: String,
+        /// What was to be written.
+        format: &'static str,
+    },
     /// A force of an `ExternalLoads` file that its table cannot feed.
     #[error("external force '{force}': {problem}")]
     ExternalForce {

@@ -15,6 +15,25 @@ pub(crate) fn heading(name: &str, ending: &str) -> String {
     format!("{name}.{ending}")
 }
 
+/// What stands around a name in a table and is no part of it: blanks, and the mark of a file's beginning, which programs that put files
+/// together leave inside.
+pub(crate) fn is_around(c: char) -> bool {
+    c.is_whitespace() || c == '\u{feff}'
+}
+
+/// A name without what stands around it.
+pub(crate) fn bare(name: &str) -> &str {
+    name.trim_matches(is_around)
+}
+
+/// Refuses a name that would not be read from a line of a table in `format` as it is written.
+pub(crate) fn check_name(name: &str, format: &'static str) -> Result<(), IoError> {
+    if bare(name) != name || name.contains(['\n', '\r']) {
+        return Err(IoError::Heading { name: name.to_owned(), format });
+    }
+    Ok(())
+}
+
 /// Named columns of numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {

@@ -187,7 +187,7 @@ impl FigureBuilder {
         let (mut faults, mut hints) = (Vec::new(), Hints::default());
         // Names follow from the axes, so these come first.
         self.links.iter_mut().for_each(|link| link.joint.normalize_axes());
-        if let Some(stature) = self.stature.filter(|h| h.is_nan() || *h <= 0.0 || h.is_infinite()) {
+        if let Some(stature) = self.stature.filter(|h| !(*h > 0.0 && *h <= Figure::LONGEST)) {
             faults.push(Fault::Stature { stature });
         }
         faults.extend(self.gravity.as_ref().and_then(Fault::of_gravity));

@@ -1,5 +1,6 @@
 //! The faults of a figure, and the error that lists them.
 
+use crate::figure::Figure;
 use nalgebra::Vector3;
 use std::fmt;
 
@@ -10,7 +11,10 @@ use std::fmt;
 pub enum Fault {
     #[error("the figure has no links; add at least a root link")]
     Empty,
-    #[error("stature {stature} m: a standing height is a finite number above zero")]
+    #[error(
+        "stature {stature} m: a standing height is a number above zero, and at most {:e}",
+        Figure::LONGEST
+    )]
     Stature { stature: f64 },
     #[error("gravity is ({:?}, {:?}, {:?}) m/s²; it must be three finite numbers", .gravity[0], .gravity[1], .gravity[2])]
     Gravity { gravity: [f64; 3] },
@@ -28,6 +32,16 @@ pub enum Fault {
     UnknownParent { link: String, parent: String, nearest: Option<String> },
     #[error("link '{link}': {what} is {value}; it must be a finite number")]
     NotFinite { link: String, what: String, value: f64 },
+    #[error(
+        "link '{link}': {what} is {value:e} m; it must be at most {:e}: are its units right?",
+        Figure::LONGEST
+    )]
+    TooLong { link: String, what: String, value: f64 },
+    #[error(
+        "link '{link}': mass is {mass:e} kg; it must be at most {:e}: are its units right?",
+        Figure::HEAVIEST
+    )]
+    TooHeavy { link: String, mass: f64 },
     #[error("link '{link}': mass is {mass} kg; it must be zero or more")]
     NegativeMass { link: String, mass: f64 },
     #[error(
@@ -107,10 +121,10 @@ impl Fault {
             Self::DuplicateName { kind, name, .. } => (part(kind), name, "name"),
             Self::EmptyName { kind, .. } => (part(kind), "", "name"),
             Self::UnknownParent { link, .. } => (Part::Link, link, "parent"),
-            Self::NotFinite { link, what, .. } | Self::NotRotation { link, what, .. } => {
-                (Part::Link, link, field(what))
-            }
-            Self::NegativeMass { link, .. } => (Part::Link, link, "mass"),
+            Self::NotFinite { link, what, .. }
+            | Self::NotRotation { link, what, .. }
+            | Self::TooLong { link, what, .. } => (Part::Link, link, field(what)),
+            Self::NegativeMass { link, .. } | Self::TooHeavy { link, .. } => (Part::Link, link, "mass"),
             Self::InertiaNotSymmetric { link, .. } => (Part::Link, link, "inertia"),
             Self::ShapeNotPositive { link, .. } => (Part::Link, link, "shape"),
             Self::ZeroAxis { joint, .. }
@@ -145,7 +159,7 @@ fn field(what: &str) -> &'static str {
         "inertia" => "inertia",
         "tip" => "tip",
         "joint origin" => "joint",
-        "place of its shape" => "shape",
+        _ if what.ends_with("of its shape") => "shape",
         _ if what.starts_with("sole") => "sole",
         _ => "frames",
     }

@@ -31,6 +31,13 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// The most that anything of a link measures, or is away from its origin along an axis (m). What follows from lengths, such as volumes,
+    /// inertias and the places of a long chain's links, then is finite.
+    pub const LONGEST: f64 = 1e9;
+
+    /// The most mass of a link (kg).
+    pub const HEAVIEST: f64 = 1e20;
+
     /// The figure's name.
     pub fn name(&self) -> &str {
         &self.name

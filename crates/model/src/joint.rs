@@ -248,6 +248,9 @@ pub struct Joint {
 }
 
 impl Joint {
+    /// The most degrees of freedom of a joint.
+    pub const MOST_DOFS: usize = 6;
+
     /// A weld called `name` at the parent's origin; add degrees of freedom with the methods below.
     pub fn new(name: impl Into<String>) -> Self {
         Self::of_kind(name.into(), JointKind::Axes(Vec::new()))

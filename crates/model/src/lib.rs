@@ -76,6 +76,6 @@ pub use source::SourceMap;
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
 pub use solaris_text::{
-    Finding, FindingKind, Place, Suggestion, TextError, TextFault, did_you_mean, nearest,
+    Finding, FindingKind, Place, Suggestion, TextError, TextFault, did_you_mean, is_unseen, nearest, plain,
 };
 pub use tie::{Tie, TieEnd, TieLaw};

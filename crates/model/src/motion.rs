@@ -113,6 +113,9 @@ pub struct MotionInfo {
 }
 
 impl MotionInfo {
+    /// The most samples a second of a motion (1/s).
+    pub const HIGHEST_RATE: f64 = 1e5;
+
     /// Standard gravity along −y and a ground at y = 0: the world of generated figures (x left, y up, z forward).
     pub fn on_earth(figure: &Figure, rate: f64) -> Self {
         Self {

@@ -114,6 +114,14 @@ pub trait Answers: Curve<f64> {
     /// [`legacy`](crate::legacy) curve.
     fn critical(&self, quantity: Quantity) -> Vec<f64>;
 
+    /// Times inside of the span between which position, velocity, acceleration and jerk each only rise or only fall, and nothing
+    /// jumps, as far as [`Self::critical`] knows: what a blend of this curve asks. All four at once, which a blend of blends finds in
+    /// one go.
+    fn breaks(&self) -> Vec<f64> {
+        let all = [Quantity::Position, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk];
+        all.into_iter().flat_map(|quantity| self.critical(quantity)).collect()
+    }
+
     /// The least and the greatest value of `quantity` between two times of the span.
     fn range(&self, quantity: Quantity, from: f64, to: f64) -> (f64, f64) {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -168,6 +176,10 @@ macro_rules! through {
 
             fn critical(&self, quantity: Quantity) -> Vec<f64> {
                 (**self).critical(quantity)
+            }
+
+            fn breaks(&self) -> Vec<f64> {
+                (**self).breaks()
             }
 
             fn range(&self, quantity: Quantity, from: f64, to: f64) -> (f64, f64) {

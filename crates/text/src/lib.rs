@@ -10,6 +10,7 @@ mod nearest;
 mod node;
 mod parse;
 mod place;
+mod plain;
 mod reader;
 
 pub use edit::edit;
@@ -20,4 +21,5 @@ pub use nearest::{did_you_mean, nearest};
 pub use node::{Content, Group, Named, Node, Value};
 pub use parse::{first_word, parse};
 pub use place::Place;
+pub use plain::{is_unseen, plain};
 pub use reader::{Fields, Reader};

@@ -190,3 +190,16 @@ fn suggestions_are_near_or_none() {
     assert_eq!(did_you_mean("left_kne", names.into_iter()), "; did you mean 'left_knee'?");
     assert_eq!(did_you_mean("spine", names.into_iter()), "");
 }
+
+#[test]
+fn brackets_and_values_are_counted_to_the_limit_and_not_beyond() {
+    let deep = |depth: usize| format!("{}1{}", "(".repeat(depth), ")".repeat(depth));
+    assert!(parse(&deep(64), "text", "(1)").is_ok());
+    let error = parse(&deep(65), "text", "(1)").expect_err("too deep").to_string();
+    assert!(error.contains("more than 64 deep"), "{error}");
+    // The list is a value too.
+    let many = |count: usize| format!("[{}]", "1,".repeat(count - 1));
+    assert!(parse(&many(4_000_000), "text", "[1]").is_ok());
+    let error = parse(&many(4_000_001), "text", "[1]").expect_err("too many").to_string();
+    assert!(error.contains("4000000"), "{error}");
+}

@@ -2,6 +2,7 @@
 
 use crate::data::Data;
 use crate::{PageOptions, TableRow, Viewer};
+use solaris_model::plain;
 use std::fmt::Write as _;
 
 const TEMPLATE: &str = include_str!("../assets/page.html");
@@ -39,10 +40,10 @@ pub(crate) fn fill(template: &str, values: &[(&str, &str)]) -> String {
     page
 }
 
-/// Text for elements and quoted attributes.
+/// Text for elements and quoted attributes. What is not seen is written out: most of it may not stand in a picture at all.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in plain(text).chars() {
         match character {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
@@ -87,6 +88,11 @@ pub(crate) fn table(rows: &[TableRow]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_not_seen_is_written_out() {
+        assert_eq!(escape("a\u{1b}[31m\u{9b}\u{202e}<b>"), "a\\u{1b}[31m\\u{9b}\\u{202e}&lt;b&gt;");
+    }
 
     #[test]
     fn values_are_not_searched_for_places() {

@@ -1,6 +1,7 @@
 //! What the studio asks beyond the package: pictures, figures that are posed, scenes that are written and run, curves.
 
 mod alive;
+mod anatomy;
 mod curve;
 mod dropped;
 mod posed;

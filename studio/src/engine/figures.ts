@@ -1,7 +1,7 @@
 // A figure that is posed by hand.
 
 import { Posed } from '../../dist/engine/engine.js';
-import type { PosedFigure } from './protocol.ts';
+import type { Anatomy, PosedFigure } from './protocol.ts';
 import type { Context } from './worker.ts';
 
 export interface Pose {
@@ -37,6 +37,7 @@ export const figures = {
     poser().setQ(new Float64Array(q));
     return now(0);
   },
+  poseAnatomy: (_: Context): Anatomy => JSON.parse(poser().anatomy()),
   posePoint: (_: Context, link: number, place: number[]): number[] => [...poser().inLink(link, place[0], place[1], place[2])],
   poseDrag(_: Context, link: number, point: number[], place: number[], reach: number): Pose {
     return now(poser().drag(link, new Float64Array(point), new Float64Array(place), reach));

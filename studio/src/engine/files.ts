@@ -3,7 +3,7 @@
 import { Dropped, Shelf } from '../../dist/engine/engine.js';
 import { pose } from './figures.ts';
 import { keep } from './motions.ts';
-import type { PosedFigure, ShownMotion } from './protocol.ts';
+import type { Anatomy, PosedFigure, ShownMotion } from './protocol.ts';
 import type { Context } from './worker.ts';
 
 // All files that were ever given: what scenes and models may name.
@@ -69,6 +69,7 @@ export const files = {
     these.free();
     return JSON.parse(dropped.outline());
   },
+  openedAnatomy: (_: Context): Anatomy => JSON.parse(opened().anatomy()),
   openedPosed: (_: Context): PosedFigure => pose(opened().posed()),
   openedMotion: (_: Context): ShownMotion => keep(opened().shown()),
   openedMoments(_: Context, ground: string, cutoff: number | null): ShownMotion & { external: string; findings: string[] } {

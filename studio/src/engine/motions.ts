@@ -2,7 +2,7 @@
 
 import type { Motion, Shown as ShownType } from '../../dist/engine/engine.js';
 import { Shown } from '../../dist/engine/engine.js';
-import type { Row, ShownMotion } from './protocol.ts';
+import type { Anatomy, Row, ShownMotion } from './protocol.ts';
 import type { Context } from './worker.ts';
 
 // How many are kept besides those that somebody holds.
@@ -41,6 +41,7 @@ export const motions = {
     if (hold) held.add(key);
     else held.delete(key);
   },
+  anatomy: (_: Context, key: number): Anatomy => JSON.parse(shownBy(key).anatomy()),
   save: (_: Context, key: number, format: string): Uint8Array => shownBy(key).save(format),
   page: (_: Context, key: number, script: string, style: string, rows: Row[]): string =>
     shownBy(key).page(

@@ -75,6 +75,21 @@ export interface PosedFigure {
   findings: string[];
 }
 
+// What a figure is made of, in the frames of its links (m, kg).
+export interface Anatomy {
+  links: {
+    name: string;
+    mass: number;
+    com: number[];
+    // Of a homogeneous body with the same inertia: half axes, and where they point.
+    ellipsoid: { half: number[]; along: number[][] } | null;
+    // Axes that its joint turns about, on the link that they are fixed to.
+    axes: { on: number; at: number[]; along: number[] }[];
+    points: { name: string; at: number[] }[];
+  }[];
+  soles: { link: number; from: number[]; to: number[] }[];
+}
+
 export interface TextFault {
   from: number;
   to: number;

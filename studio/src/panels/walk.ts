@@ -46,7 +46,21 @@ const STYLE: Field[] = [
 ];
 const MANNERS = ['', 'happy', 'sad', 'tired', 'proud', 'heavy'];
 
-export function makeWalkPanel(app: App): { start(): Promise<void> } {
+// What was asked of a walk: for links.
+export interface WalkState {
+  who: Who;
+  asked: Options;
+  touched: [string, number][];
+}
+
+export interface WalkPanel {
+  start(): Promise<void>;
+  state(): WalkState;
+  // Sets all numbers to what they were; what a walk cannot be is said when it is planned.
+  restore(state: WalkState): void;
+}
+
+export function makeWalkPanel(app: App): WalkPanel {
   const asked: Options = { gait: 'walk', steps: 10 };
   const who: Who = { height: 1.75, mass: 73 };
   // Which options were touched: the others are what people do.
@@ -85,18 +99,21 @@ export function makeWalkPanel(app: App): { start(): Promise<void> } {
     sliders.set(name, made);
     return made.element;
   };
-  const choice = (label: string, options: [string, string][], change: (value: string) => void): HTMLElement => {
+  const choices = new Map<string, HTMLSelectElement>();
+  const choice = (name: string, label: string, options: [string, string][], change: (value: string) => void): HTMLElement => {
     const select = el('select', { 'aria-label': label, autocomplete: 'off' }, ...options.map(([value, text]) => el('option', { value }, text)));
     select.addEventListener('change', () => change(select.value));
+    choices.set(name, select);
     return el('label', { class: 'choice' }, el('span', {}, label), select);
   };
 
+  const steps = slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: 10, change: (value) => { asked.steps = Math.round(value); moved('steps'); } });
   const walkOnly: HTMLElement[] = [];
   const runOnly: HTMLElement[] = [];
   const element = el(
     'div',
     {},
-    choice('Gait', [['walk', 'Walk'], ['run', 'Run']], (value) => {
+    choice('gait', 'Gait', [['walk', 'Walk'], ['run', 'Run']], (value) => {
       asked.gait = value;
       choose();
       moved('gait');
@@ -113,19 +130,19 @@ export function makeWalkPanel(app: App): { start(): Promise<void> } {
       runOnly.push(made);
       return made;
     }),
-    slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: 10, change: (value) => { asked.steps = Math.round(value); moved('steps'); } }).element,
+    steps.element,
     fold(
       'Style',
       false,
-      choice('Way of walking', [['', 'smooth: forces first'], ['5', 'key postures, five determinants'], ['3', 'key postures, three']], (value) => {
+      choice('determinants', 'Way of walking', [['', 'smooth: forces first'], ['5', 'key postures, five determinants'], ['3', 'key postures, three']], (value) => {
         asked.determinants = value === '' ? undefined : Number(value);
         moved('determinants');
       }),
-      choice('Manner', MANNERS.map((manner) => [manner, manner || 'everybody’s']), (value) => {
+      choice('manner', 'Manner', MANNERS.map((manner) => [manner, manner || 'everybody’s']), (value) => {
         asked.manner = value || undefined;
         moved('manner');
       }),
-      choice('One side', [['', 'as the other'], ['limp', 'limps']], (value) => {
+      choice('left', 'One side', [['', 'as the other'], ['limp', 'limps']], (value) => {
         asked.left = value || undefined;
         moved('left');
       }),
@@ -208,7 +225,25 @@ export function makeWalkPanel(app: App): { start(): Promise<void> } {
       if (app.show.isLive()) void plan(null);
     },
   });
-  return { start: () => plan(null) };
+  return {
+    start: () => plan(null),
+    state: () => ({ who: { ...who }, asked: { ...asked }, touched: [...touched] }),
+    restore(state) {
+      Object.assign(who, state.who);
+      Object.assign(asked, state.asked);
+      touched.clear();
+      for (const [name, value] of state.touched) {
+        const field = [...WALK, ...RUN, ...STYLE].find((known) => known.name === name);
+        if (!field && name !== 'mass') continue;
+        touched.set(name, value);
+        if (field) sliders.get(name)!.value = value / (field.scale ?? 1);
+      }
+      for (const name of ['height', 'mass'] as const) sliders.get(name)!.value = who[name];
+      steps.value = Number(asked.steps);
+      choices.forEach((select, name) => (select.value = String(asked[name] ?? '')));
+      choose();
+    },
+  };
 }
 
 // What is measured of it.

@@ -2,6 +2,8 @@
 
 mod disk_full;
 mod drives;
+mod hostile;
 mod inverse;
+mod limits;
 mod pictures;
 mod walk;

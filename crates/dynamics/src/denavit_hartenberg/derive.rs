@@ -1,6 +1,6 @@
 //! The Denavit-Hartenberg frames of a figure, derived from its axes.
 
-use super::step::{Line, Step};
+use super::step::{Line, Step, distance};
 use super::{Base, Carried, DenavitHartenberg, Rationalized};
 use crate::error::DynamicsError;
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3, Vector3};
@@ -88,10 +88,10 @@ fn carry(riders: Vec<Rider>, stands: &[Stand], links: &mut [Rationalized]) -> Ve
 /// What stands between the frame before and the axis of `dof`, and the stand of what it moves in the frame at the axis.
 fn base(dof: &Dof, before: &Stand, is_heir: bool) -> (Base, Stand) {
     let place = before.moved * dof.place;
-    let distance = dof.place.translation.vector.norm();
+    let apart = distance(&dof.place.translation.vector);
     let scale = match dof.parent {
         None => 0.0,
-        Some(_) if distance > 0.0 => distance,
+        Some(_) if apart > 0.0 => apart,
         Some(_) => before.scale,
     };
     let stand = |moved, turn: Rotation3<f64>| Stand { moved, frame: before.frame * turn.matrix(), scale };
@@ -123,8 +123,8 @@ fn choose(dofs: &[Dof], k: usize, at_axis: &Stand) -> (Option<usize>, Step) {
     let seen = |child: &usize| {
         let dof = &dofs[*child];
         let place = at_axis.moved * dof.place;
-        let distance = dof.place.translation.vector.norm();
-        let scale = if distance > 0.0 { distance } else { at_axis.scale };
+        let apart = distance(&dof.place.translation.vector);
+        let scale = if apart > 0.0 { apart } else { at_axis.scale };
         Line { point: place.translation.vector, axis: place.rotation * dof.axis, slides: dof.slides, scale }
     };
     let lines: Vec<(usize, Line)> = dofs[k]

@@ -33,6 +33,11 @@ pub(super) struct Step {
     pub(super) a: f64,
 }
 
+/// The length of a vector, of the smallest too, whose squares are zero.
+pub(super) fn distance(v: &Vector3<f64>) -> f64 {
+    v.x.hypot(v.y).hypot(v.z)
+}
+
 impl Line {
     /// Whether z is the axis, sense and all.
     pub(super) fn is_z(&self) -> bool {
@@ -94,7 +99,8 @@ impl Line {
         if self.meets_z() {
             return Step { row: coincident, s, a: 0.0 };
         }
-        let row = Row { alpha: coincident.alpha, ..Row::about(&apart.normalize(), &self.axis, frame) };
+        let row =
+            Row { alpha: coincident.alpha, ..Row::about(&(apart / distance(&apart)), &self.axis, frame) };
         let (st, ct) = super::exact_sin_cos(row.theta);
         Step { row, s, a: apart.x * ct + apart.y * st }
     }

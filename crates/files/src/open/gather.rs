@@ -70,53 +70,49 @@ impl<'f> Gathering<'f> {
         self.opened.faults.push(error);
     }
 
-    /// Says of files that were read since the last look that they belong to `owner`.
-    fn say_read(&mut self, owner: &str) {
-        let read: Vec<String> = self
-            .kinds
-            .iter()
-            .filter(|(name, _, role)| role.is_none() && name != owner && self.files.was_read(name))
-            .map(|(name, ..)| name.clone())
-            .collect();
-        read.iter().for_each(|name| self.say(name, format!("named by {owner}"), true));
-    }
-
+    /// The scene: the one that no other includes.
     fn scenes(&mut self) {
+        let mut read = Vec::new();
         for name in self.of(Kind::Scene) {
             let path = PathBuf::from(&name);
-            let text = match self.source().text(&path) {
-                Ok(text) => text,
-                Err(error) => {
-                    self.fault(&name, "a scene", error);
-                    continue;
+            match self.source().text(&path) {
+                Ok(text) => {
+                    self.files.forget();
+                    let held = self.source().scene_of(&path, &text);
+                    let others = self.others(&name);
+                    read.push((name, Alone { path, text }, held, others));
                 }
-            };
-            if self.kinds.iter().any(|(.., role)| {
-                role.as_ref().is_some_and(|(what, _)| what.starts_with("named by"))
-                    && self.files.was_read(&name)
-            }) {
+                Err(error) => self.fault(&name, "a scene", error),
+            }
+        }
+        let parts: Vec<String> = read.iter().flat_map(|(.., others)| others.clone()).collect();
+        for (name, Alone { path, text }, held, others) in read {
+            if parts.contains(&name) {
                 continue;
             }
             if self.opened.scene.is_some() {
                 self.say(&name, "another scene: one is open", false);
                 continue;
             }
-            self.files.forget();
-            let held = self.source().scene_of(&path, &text);
-            self.say_read(&name);
-            let what = "a scene";
             let held = match held {
                 Ok(loaded) => {
-                    self.say(&name, what, true);
+                    self.say(&name, "a scene", true);
                     Some(loaded.scene)
                 }
                 Err(error) => {
-                    self.fault(&name, what, error);
+                    self.fault(&name, "a scene", error);
                     None
                 }
             };
+            others.iter().for_each(|other| self.say(other, format!("named by {name}"), true));
             self.opened.scene = Some(Held { path, text, held });
         }
+    }
+
+    /// The files that were read beside this one since the last look.
+    fn others(&self, name: &str) -> Vec<String> {
+        let read = self.files.names().filter(|other| *other != name && self.files.was_read(other));
+        read.map(str::to_owned).collect()
     }
 
     /// The figure: the one whose file no other names.
@@ -126,8 +122,7 @@ impl<'f> Gathering<'f> {
         for name in &names {
             self.files.forget();
             let body = self.source().body_with(Path::new(name), None, &self.options.clip);
-            let others = self.files.names().filter(|other| *other != name && self.files.was_read(other));
-            read.push((name.clone(), body, others.map(str::to_owned).collect()));
+            read.push((name.clone(), body, self.others(name)));
         }
         let parts: Vec<String> = read.iter().flat_map(|(.., others)| others.clone()).collect();
         for (name, body, others) in read {
@@ -272,7 +267,8 @@ impl<'f> Gathering<'f> {
         for name in self.of(Kind::Loads) {
             self.files.forget();
             let read = External::read(self.source(), &[], [None, Some(Path::new(&name))]);
-            self.say_read(&name);
+            let others = self.others(&name);
+            others.iter().for_each(|other| self.say(other, format!("named by {name}"), true));
             let read = read.and_then(|external| match &self.opened.body {
                 Some(body) => external.records(&body.figure).map(|_| external),
                 None => Ok(external),

@@ -107,7 +107,7 @@ impl Field {
         match self {
             Self::StepFrequency if is_thesis => THESIS_STEP_FREQUENCY.into(),
             Self::StepFrequency => {
-                let tempo = judge.population(options).tempo(judge.body.height);
+                let tempo = Judge::population(options).tempo(judge.body.height);
                 [STEP_FREQUENCY.0 * tempo, STEP_FREQUENCY.1 * tempo]
             }
             Self::StepLength => LENGTHS,
@@ -135,7 +135,7 @@ impl Field {
             Self::Tread => Some(stairs.tread),
             Self::Speed if options.gait == GaitKind::Run => Some(DEFAULT_RUN_SPEED),
             Self::StepFrequency | Self::StepLength | Self::Speed | Self::Style(_) => {
-                let style = judge.style(options, WalkRequest::default())?;
+                let style = judge.style(options, &WalkRequest::default())?;
                 Some(match self {
                     Self::StepFrequency => style.step_frequency,
                     Self::StepLength => style.step_length,

@@ -31,13 +31,13 @@ impl<'a> Judge<'a> {
     }
 
     /// Who walks; who is not known is refused elsewhere.
-    pub(super) fn population(&self, options: &GaitOptions) -> Population {
+    pub(super) fn population(options: &GaitOptions) -> Population {
         let named = |known: &Population| options.population.as_deref() == Some(known.name());
         Population::ALL.into_iter().find(named).unwrap_or_default()
     }
 
     /// The style of the steady part of a walk that forces are planned of first, where its numbers are in range, or of another one.
-    pub(super) fn style(&self, options: &GaitOptions, other: WalkRequest) -> Option<Style> {
+    pub(super) fn style(&self, options: &GaitOptions, other: &WalkRequest) -> Option<Style> {
         let request = match options.request(self.figure).ok()?.request {
             StyledRequest::Smooth(walk) => walk,
             StyledRequest::Sequence(segments) => segments.into_iter().find_map(|segment| match segment {
@@ -46,8 +46,8 @@ impl<'a> Judge<'a> {
             })?,
             StyledRequest::Thesis(_) | StyledRequest::Run(_) => return None,
         };
-        let style = |request| styled(self.figure, &self.body, request).ok();
-        style(&request).or_else(|| style(&other))
+        let style = |request: &WalkRequest| styled(self.figure, &self.body, request).ok();
+        style(&request).or_else(|| style(other))
     }
 
     /// Whether steps that decide are fewer than all of them.

@@ -95,7 +95,7 @@ fn interval(
         for (side, value) in [about - spacing * k as f64, about + spacing * k as f64].into_iter().enumerate()
         {
             let value = value.clamp(lower, upper);
-            if inside.is_some() || value == refused[side] {
+            if inside.is_some() || value.to_bits() == refused[side].to_bits() {
                 continue;
             }
             if accepts(value)? {
@@ -112,7 +112,7 @@ fn interval(
         let mut outside = None;
         for k in 1..=on_the_way {
             let value = inside + (bound - inside) * k as f64 / on_the_way as f64;
-            if value == *end || accepts(value)? {
+            if value.to_bits() == end.to_bits() || accepts(value)? {
                 *end = value;
             } else {
                 outside = Some(value);

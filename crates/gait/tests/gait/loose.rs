@@ -23,13 +23,15 @@ fn an_arm_let_loose_swings_as_one_walks_and_settles_as_one_stands() {
     let figure = person(1.75);
     let shoulder = index(&figure, "left_shoulder.rx");
     let mut walker = Walker::new(&figure).expect("a walker");
-    let mut go = |walker: &mut Walker, command: &Command, seconds: f64| -> Vec<f64> {
+    let go = |walker: &mut Walker, command: &Command, seconds: f64| -> Vec<f64> {
         let frames = 0..(60.0 * seconds) as usize;
         frames.map(|_| walker.step(1.0 / 60.0, command).expect("a frame")[shoulder]).collect()
     };
     go(&mut walker, &walk(), 3.0);
     let mut tight = walker.clone();
-    ARM.iter().for_each(|joint| walker.loosen(joint).expect("a joint"));
+    for joint in ARM {
+        walker.loosen(joint).expect("a joint");
+    }
     let (loose, held) = (go(&mut walker, &walk(), 4.0), go(&mut tight, &walk(), 4.0));
     let range = |all: &[f64]| {
         all.iter().copied().fold(f64::MIN, f64::max) - all.iter().copied().fold(f64::MAX, f64::min)
@@ -62,7 +64,9 @@ fn an_arm_that_falls_loses_energy_to_its_damping_alone() {
             + potential_energy(&tree, &mut workspace, walker.configuration()).expect("a state")
     };
     let start = energy(&mut walker);
-    ARM.iter().for_each(|joint| walker.loosen(joint).expect("a joint"));
+    for joint in ARM {
+        walker.loosen(joint).expect("a joint");
+    }
     let mut last = start;
     for frame in 0..600 {
         walker.step(1.0 / 60.0, &Command::stop()).expect("a frame");
@@ -85,10 +89,14 @@ fn what_is_loosened_and_tightened_does_not_jump_and_comes_back_to_the_walk() {
         for frame in 0..(rate * 8.0) as usize {
             let time = frame as f64 / rate;
             if (time - at).abs() < 0.5 / rate {
-                joints.iter().for_each(|joint| walker.loosen(joint).expect("a joint"));
+                for joint in joints {
+                    walker.loosen(joint).expect("a joint");
+                }
             }
             if (time - at - 2.0).abs() < 0.5 / rate {
-                joints.iter().for_each(|joint| walker.tighten(joint).expect("a joint"));
+                for joint in joints {
+                    walker.tighten(joint).expect("a joint");
+                }
             }
             let walked = tight.step(1.0 / rate, &walk()).expect("a frame").to_vec();
             all.push(walker.step(1.0 / rate, &walk()).expect("a frame").to_vec());
@@ -172,7 +180,9 @@ fn what_an_arm_costs_a_frame() {
             walker.step(1.0 / 60.0, &walk()).expect("a frame");
         }
         *time = began.elapsed().as_secs_f64() / 6000.0 * 1e6;
-        ARM.iter().for_each(|joint| walker.loosen(joint).expect("a joint"));
+        for joint in ARM {
+            walker.loosen(joint).expect("a joint");
+        }
     }
     println!("{:.1} µs a frame, {:.1} µs with an arm that hangs", times[0], times[1]);
 }

@@ -1,6 +1,6 @@
 //! Within which values of a number walks hold: ends are accepted and what is beyond them is not, by the planner itself.
 
-use solaris_gait::{GaitError, GaitKind, GaitOptions, PARAMETERS, PartOptions, Repeats, StairOptions};
+use solaris_gait::{GaitError, GaitKind, GaitOptions, PARAMETERS, PartOptions, Repeats, StairOptions, TURN};
 use solaris_model::{Figure, human};
 
 fn people() -> [Figure; 3] {
@@ -62,7 +62,7 @@ fn ends_are_accepted_and_what_is_beyond_them_is_not() {
         let usual = 0.0037 * figure.stature().expect("a height") * 100.0;
         assert!(short < usual && long > usual, "{short} {long}");
         hold(figure, &walk, "step_frequency", [60.0, 130.0]).expect("frequencies");
-        let [right, left] = hold(figure, &paced, "turn", [-0.5236, 0.5236]).expect("turns");
+        let [right, left] = hold(figure, &paced, "turn", [-TURN, TURN]).expect("turns");
         assert!(right < -0.1 && left > 0.1);
     }
     let one = &people()[0];

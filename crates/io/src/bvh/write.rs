@@ -4,7 +4,7 @@ use super::Unit;
 use super::skeleton::{Channels, Node, ORDER, Skeleton};
 use crate::error::IoError;
 use crate::upright::upright;
-use solaris_model::{Figure, Motion, MotionError, Vector3};
+use solaris_model::{Figure, Motion, MotionError, MotionInfo, Vector3};
 use std::io::{self, Write};
 
 /// Names of the axes in channels.
@@ -22,7 +22,7 @@ const AXES: [char; 3] = ['X', 'Y', 'Z'];
 pub fn write(figure: &Figure, motion: &Motion, unit: Unit, out: &mut impl Write) -> Result<(), IoError> {
     motion.check_figure(figure)?;
     let rate = motion.info.rate;
-    if !(rate > 0.0 && rate <= 1e5) {
+    if !(rate > 0.0 && rate <= MotionInfo::HIGHEST_RATE) {
         return Err(MotionError::Rate { rate }.into());
     }
     let gravity = motion.info.gravity;

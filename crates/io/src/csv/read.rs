@@ -20,7 +20,7 @@ const FRAME_TOLERANCE: f64 = 0.01;
 /// [`IoError`] with the line and the column, both from 1, of what is wrong; a rate that is not one; `info` with the
 /// fingerprint of another figure.
 pub fn read(figure: &Figure, text: &str, info: MotionInfo) -> Result<Motion, IoError> {
-    if !(info.rate > 0.0 && info.rate <= 1e5) {
+    if !(info.rate > 0.0 && info.rate <= MotionInfo::HIGHEST_RATE) {
         return Err(solaris_model::MotionError::Rate { rate: info.rate }.into());
     }
     let table = read_table(text)?;

@@ -3,7 +3,7 @@
 use super::table::{Lines, check_header, check_lines};
 use super::write::{number, writing};
 use crate::error::IoError;
-use crate::table::Table;
+use crate::table::{Table, bare};
 use csv::{ReaderBuilder, StringRecord, Terminator, Trim, WriterBuilder};
 use std::io::Write;
 
@@ -50,8 +50,9 @@ pub fn read_rows(text: &str) -> Result<Rows, IoError> {
     while reader.read_record(&mut record).map_err(writing)? {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
         Table::check_width(line, record.len())?;
-        let fields: Vec<String> = record.iter().map(str::to_owned).collect();
+        let mut fields: Vec<String> = record.iter().map(str::to_owned).collect();
         if out.columns.is_empty() {
+            fields.iter_mut().for_each(|name| *name = bare(name).to_owned());
             check_header(&Table { columns: fields.clone(), header_line: line, ..Table::default() })?;
             out.columns = fields;
         } else {

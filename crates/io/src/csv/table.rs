@@ -2,9 +2,12 @@
 
 use super::write::{number, writing};
 use crate::error::IoError;
-use crate::table::{TIME, Table};
+use crate::table::{TIME, Table, bare, check_name};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::io::Write;
+
+/// What a message calls this format.
+pub(super) const FORMAT: &str = "CSV";
 
 /// The most characters of a field that a message repeats.
 const REPEATED: usize = 40;
@@ -34,7 +37,7 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
         Table::check_width(line, record.len())?;
         if table.columns.is_empty() {
-            table.columns = record.iter().map(str::to_owned).collect();
+            table.columns = record.iter().map(|name| bare(name).to_owned()).collect();
             table.header_line = line;
             check_header(&table)?;
             continue;
@@ -135,6 +138,7 @@ pub fn write_table(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
         return Err(IoError::DegreesWithoutFigure);
     }
     check_header(table)?;
+    table.columns.iter().try_for_each(|name| check_name(name, FORMAT))?;
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(&table.columns).map_err(writing)?;
     let (mut text, time) = (Vec::new(), table.column(TIME));

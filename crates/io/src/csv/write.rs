@@ -1,7 +1,9 @@
 //! A motion to a table.
 
+use super::table::FORMAT;
 use crate::error::{ContactProblem, IoError};
 use crate::record::{headings, row};
+use crate::table::check_name;
 use solaris_model::{Figure, Motion};
 use std::io::{self, Write};
 
@@ -17,6 +19,7 @@ pub fn write(figure: &Figure, motion: &Motion, out: &mut impl Write) -> Result<(
     motion.check_figure(figure)?;
     check_contacts(figure, motion)?;
     let columns = headings(figure, motion);
+    columns.iter().try_for_each(|name| check_name(name, FORMAT))?;
     let mut table = csv::Writer::from_writer(out);
     table.write_record(&columns).map_err(writing)?;
     let mut text = Vec::new();

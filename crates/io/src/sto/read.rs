@@ -4,7 +4,7 @@ use super::StoFault;
 use super::cells::{hold_vectors, split_columns, undressed};
 use super::header::Header;
 use crate::error::IoError;
-use crate::table::{TIME, Table, TableNote};
+use crate::table::{TIME, Table, TableNote, bare};
 use std::collections::HashSet;
 
 /// Reads a `.mot` or `.sto` table.
@@ -51,7 +51,7 @@ pub fn read_mot(text: &str) -> Result<Table, IoError> {
 }
 
 fn read_with_header(text: &str) -> Result<(Table, Header), IoError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = text.trim_start_matches('\u{feff}');
     let mut lines = (1_u64..).zip(text.split('\n').map(|line| line.trim_end_matches('\r')));
     let header = Header::read(&mut lines)?;
     let mut lines = lines.filter(|(_, line)| !line.trim().is_empty()).peekable();
@@ -84,8 +84,8 @@ fn read_with_header(text: &str) -> Result<(Table, Header), IoError> {
 /// The headings of a line: words, or what stands between tabs where only that gives one of the numbers that are `known`, of which
 /// the first counts most.
 fn headings(line: &str, known: [Option<usize>; 2]) -> Vec<String> {
-    let words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
-    let cells: Vec<String> = line.trim().split('\t').map(|cell| cell.trim().to_owned()).collect();
+    let words: Vec<String> = line.split_whitespace().map(|word| bare(word).to_owned()).collect();
+    let cells: Vec<String> = line.trim().split('\t').map(|cell| bare(cell).to_owned()).collect();
     for count in known.into_iter().flatten() {
         if words.len() == count {
             return words;

@@ -2,14 +2,14 @@
 
 use super::header::is_key;
 use crate::error::IoError;
-use crate::table::{TIME, Table};
+use crate::table::{TIME, Table, bare, is_around};
 use std::io::{self, Write};
 
 /// Writes a table as OpenSim reads it.
 ///
 /// Numbers have the fewest digits that read back to the same bits; times and numbers stand as they are, in the units
-/// that `table.in_degrees` claims. [`super::read()`] gives the same table back, but for the places of its lines and blanks
-/// in its title.
+/// that `table.in_degrees` claims. [`super::read()`] gives the same table back, but for the places of its lines, and blanks
+/// and byte order marks in its title.
 ///
 /// # Errors
 ///
@@ -20,9 +20,9 @@ pub fn write(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
     if table.column(TIME).is_none() {
         return Err(IoError::StoTime);
     }
-    if let Some(name) =
-        table.columns.iter().find(|name| name.is_empty() || name.contains(char::is_whitespace))
-    {
+    let is_word =
+        |name: &String| !name.is_empty() && bare(name) == name && !name.contains(char::is_whitespace);
+    if let Some(name) = table.columns.iter().find(|name| !is_word(name)) {
         return Err(IoError::StoHeading { name: name.clone() });
     }
     header(table, out)?;
@@ -47,7 +47,7 @@ pub fn write(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
 }
 
 fn header(table: &Table, out: &mut impl Write) -> io::Result<()> {
-    let title = table.title.split_whitespace().collect::<Vec<_>>().join(" ");
+    let title = table.title.split(is_around).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
     let first = title.split([' ', '=']).next().unwrap_or_default();
     match first {
         "" if title.is_empty() => {}

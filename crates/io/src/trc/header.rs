@@ -1,5 +1,6 @@
 //! The lines before the frames.
 
+use crate::table::is_around;
 use solaris_model::TextError;
 use std::ops::Range;
 
@@ -109,9 +110,14 @@ fn values<'a>(text: &'a str, lines: &[Range<usize>]) -> Vec<(&'a str, &'a str)> 
     keys.into_iter().zip(found).collect()
 }
 
+/// A marker's name without the quotes, blanks and marks around it.
+pub(super) fn bare_name(cell: &str) -> &str {
+    cell.trim_matches(|c| c == '"' || is_around(c))
+}
+
 /// The markers' names, and whether they stand elsewhere than every third column from the third.
 fn names(text: &str, labels: &[Range<usize>], has_tabs: bool) -> (Vec<String>, bool) {
-    let own = |cell: &Range<usize>| text[cell.clone()].trim_matches('"').to_owned();
+    let own = |cell: &Range<usize>| bare_name(&text[cell.clone()]).to_owned();
     let labels = labels.get(2..).unwrap_or_default();
     let filled = || labels.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
     if !has_tabs {

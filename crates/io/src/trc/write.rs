@@ -1,15 +1,17 @@
 //! A TRC file from a trial.
 
+use super::header::bare_name;
+use crate::error::IoError;
 use crate::markers::LengthUnit;
 use solaris_model::MarkerTrial;
-use std::io::{self, Write};
+use std::io::Write;
 
 /// Writes a trial as TRC, with `title` as its file's name and lengths in `unit` to a thousandth of a micrometre. A marker that
 /// was hidden has blank cells.
 ///
 /// # Errors
 ///
-/// Those of the writer.
+/// [`IoError::Heading`] for a marker's name that would not be read as it is written, and the errors of the writer.
 ///
 /// # Examples
 ///
@@ -22,7 +24,12 @@ use std::io::{self, Write};
 /// assert!(String::from_utf8(text)?.ends_with("1\t0\t100\t200\t300\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl Write) -> io::Result<()> {
+pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl Write) -> Result<(), IoError> {
+    for name in trial.names() {
+        if name.is_empty() || bare_name(name) != name || name.contains(['\t', '\n', '\r']) {
+            return Err(IoError::Heading { name: name.clone(), format: "TRC" });
+        }
+    }
     let rate = number(trial.rate().unwrap_or(1.0), 6);
     let (frames, markers) = (trial.len(), trial.names().len());
     writeln!(out, "PathFileType\t4\t(X/Y/Z)\t{}", plain(title))?;
@@ -33,7 +40,7 @@ pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl W
     writeln!(out, "{rate}\t{rate}\t{frames}\t{markers}\t{unit}\t{rate}\t1\t{frames}")?;
     write!(out, "Frame#\tTime")?;
     for name in trial.names() {
-        write!(out, "\t{}\t\t", plain(name))?;
+        write!(out, "\t{name}\t\t")?;
     }
     write!(out, "\n\t")?;
     for marker in 1..=markers {

@@ -118,3 +118,73 @@ fn long_tables_are_read_in_proportion() {
     assert_eq!(read(&text).len(), 200_000);
     assert!(start.elapsed().as_secs() < 20);
 }
+
+/// A table of one row with this column beside the times.
+fn headed(columns: [&str; 2]) -> Table {
+    let columns = columns.map(str::to_owned).to_vec();
+    Table { columns, values: vec![0.0, 1.0], lines: vec![2], header_line: 1, ..Table::default() }
+}
+
+#[test]
+fn headings_with_marks_and_line_ends_are_read_back_or_not_written() {
+    for name in [
+        "\u{feff}time",
+        "time\u{feff}",
+        "a\rb",
+        "a\nb",
+        "a\r",
+        " a",
+        "a\u{85}",
+        "\u{2028}a",
+        "a\u{feff}b",
+        "a,\"b\"",
+    ] {
+        let table = headed([name, "b"]);
+        let mut text = Vec::new();
+        match csv::write_table(&table, &mut text) {
+            Ok(()) => {
+                assert_eq!(read(std::str::from_utf8(&text).expect("text")).columns, table.columns, "{name:?}")
+            }
+            Err(error) => assert!(!["a\u{feff}b", "a,\"b\""].contains(&name), "{name:?}: {error}"),
+        }
+        let table = headed(["time", name]);
+        let mut text = Vec::new();
+        if sto::write(&table, &mut text).is_ok() {
+            let back = sto::read(std::str::from_utf8(&text).expect("text")).expect("a table");
+            assert_eq!(back.columns, table.columns, "{name:?}");
+        }
+    }
+    let mut text = Vec::new();
+    let error = csv::write_table(&headed(["\u{feff}time", "a"]), &mut text).expect_err("a mark");
+    assert!(error.to_string().contains("cannot be a name in CSV"), "{error}");
+}
+
+#[test]
+fn marks_that_files_put_together_leave_inside_are_no_part_of_a_heading() {
+    assert_eq!(read("\u{feff}\u{feff}time,\u{feff}a\n0,1\n").columns, ["time", "a"]);
+    assert_eq!(read("\u{feff}\"\u{feff}time\",a\u{feff}\n0,1\n").columns, ["time", "a"]);
+    let text = "\u{feff}\u{feff}title\nversion=1\nendheader\n\u{feff}time\ta\u{feff}\n0\t1\n";
+    let table = sto::read(text).expect("a table");
+    assert_eq!(
+        (table.title.as_str(), &table.columns[..]),
+        ("title", &["time".to_owned(), "a".to_owned()][..])
+    );
+    let table = Table { title: "\u{feff}title\r\n x".to_owned(), ..headed(["time", "a"]) };
+    let mut text = Vec::new();
+    sto::write(&table, &mut text).expect("written");
+    assert_eq!(sto::read(std::str::from_utf8(&text).expect("text")).expect("a table").title, "title x");
+}
+
+#[test]
+fn a_motion_with_a_line_end_in_a_name_is_not_written_to_csv() {
+    use solaris_model::{FigureBuilder, Joint, LinkSpec, Motion, MotionInfo};
+    for name in ["\u{feff}a", "a\rb", " a"] {
+        let link = LinkSpec::root("link", Joint::new("j").rx().named(name)).mass(1.0);
+        let figure = FigureBuilder::new("f").link(link).build().expect("valid");
+        let columns = [vec![0.0], vec![0.0], vec![0.0]];
+        let motion =
+            Motion::new(&figure, MotionInfo::on_earth(&figure, 1.0), vec![0.0], columns).expect("a motion");
+        let error = csv::write(&figure, &motion, &mut Vec::new()).expect_err(name);
+        assert!(error.to_string().contains("rename it"), "{error}");
+    }
+}

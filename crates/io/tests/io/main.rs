@@ -13,6 +13,10 @@ mod data;
 mod glb;
 #[cfg(feature = "glb")]
 mod glb_in;
+#[cfg(all(feature = "mjcf", feature = "opensim", feature = "sdf", feature = "urdf"))]
+mod limits;
+#[cfg(all(feature = "mjcf", feature = "opensim", feature = "sdf", feature = "urdf"))]
+mod measure;
 #[cfg(feature = "mjcf")]
 mod mjcf;
 mod motions;

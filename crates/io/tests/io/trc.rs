@@ -166,3 +166,36 @@ fn rounded_times_are_counted_by_the_rate() {
     let late = of(&rows(&[0.0, 0.017, 0.036, 0.05, 0.067]));
     assert!((late.markers.time()[2] - 0.036).abs() < 1e-12);
 }
+
+#[test]
+fn names_of_markers_are_read_back_or_not_written() {
+    for name in [
+        "heel",
+        "a b",
+        "a\u{feff}b",
+        "größe",
+        "\u{feff}heel",
+        "heel\r",
+        "a\nb",
+        "a\tb",
+        " heel",
+        "\"heel\"",
+        "",
+    ] {
+        let point = Vector3::new(0.1, 0.2, 0.3);
+        let trial = MarkerTrial::new(vec![name.to_owned()], vec![0.0], vec![point]).expect("a trial");
+        let (mut text, mut csv) = (Vec::new(), Vec::new());
+        let written = write(&trial, "a\tb\r", LengthUnit::Metres, &mut text);
+        let good = ["heel", "a b", "a\u{feff}b", "größe"].contains(&name);
+        assert_eq!(written.is_ok(), good, "{name:?}");
+        if good {
+            let back = read(std::str::from_utf8(&text).expect("text"), &ReadOptions::default());
+            assert_eq!(back.expect("a recording").markers.names(), [name]);
+        }
+        if solaris_io::markers::write_csv(&trial, &mut csv).is_ok() {
+            let back =
+                solaris_io::csv::read_table(std::str::from_utf8(&csv).expect("text")).expect("a table");
+            assert_eq!(back.columns[1], format!("{name}.x"), "{name:?}");
+        }
+    }
+}

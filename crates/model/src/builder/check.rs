@@ -2,6 +2,7 @@
 
 use super::LinkSpec;
 use crate::fault::Fault;
+use crate::figure::Figure;
 use crate::inertia::Inertia;
 use crate::joint::{Joint, JointKind, Passive};
 use crate::layout::velocity_names;
@@ -25,30 +26,35 @@ fn check_range(link: &LinkSpec, faults: &mut Vec<Fault>) {
 }
 
 fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
-    let mut check = |what: String, values: &[f64]| {
+    let too_long = |what: &str, values: &[f64]| {
+        let value = values.iter().find(|value| value.is_finite() && value.abs() > Figure::LONGEST)?;
+        Some(Fault::TooLong { link: link.name.clone(), what: what.to_owned(), value: *value })
+    };
+    let mut check = |what: String, values: &[f64], are_lengths: bool| {
+        faults.extend(too_long(&what, values).filter(|_| are_lengths));
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
             faults.push(Fault::NotFinite { link: link.name.clone(), what, value: *value });
         }
     };
-    check("mass".into(), &[link.mass]);
-    check("centre of mass".into(), link.com.as_slice());
+    check("mass".into(), &[link.mass], false);
+    check("centre of mass".into(), link.com.as_slice(), true);
     if let Inertia::Tensor(tensor) = &link.inertia {
-        check("inertia".into(), tensor.as_slice());
+        check("inertia".into(), tensor.as_slice(), false);
     }
     let placements = [("joint origin".to_owned(), link.joint.placement())].into_iter();
     let frames = link.frames.iter().map(|frame| (format!("frame '{}'", frame.name), &frame.placement));
     let shape = link.shape.iter().map(|shape| ("place of its shape".to_owned(), &shape.placement));
     let mut lengths = Vec::new();
     for (what, placement) in placements.chain(frames).chain(shape) {
-        check(what.clone(), placement.translation.vector.as_slice());
-        check(what.clone(), placement.rotation.coords.as_slice());
+        check(what.clone(), placement.translation.vector.as_slice(), true);
+        check(what.clone(), placement.rotation.coords.as_slice(), false);
         lengths.push((what, placement.rotation.coords.norm()));
     }
     if let Some(tip) = &link.tip {
-        check("tip".into(), tip.as_slice());
+        check("tip".into(), tip.as_slice(), true);
     }
     for point in &link.sole {
-        check(format!("sole point {:?}", point.part), point.position.as_slice());
+        check(format!("sole point {:?}", point.part), point.position.as_slice(), true);
     }
     for (what, length) in lengths.into_iter().filter(|(_, length)| (length - 1.0).abs() > 1e-6) {
         faults.push(Fault::NotRotation { link: link.name.clone(), what, length });
@@ -60,13 +66,14 @@ fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
             if value.is_nan() || value <= 0.0 || value.is_infinite() {
                 faults.push(Fault::ShapeNotPositive { link: link.name.clone(), what, value });
             }
+            faults.extend(too_long(&format!("{what} of its shape"), &[value]));
         }
     }
 }
 
 fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
     let dofs = joint.kind().axes();
-    if dofs.len() > 6 {
+    if dofs.len() > Joint::MOST_DOFS {
         faults.push(Fault::TooManyDofs { joint: joint.name().to_owned(), count: dofs.len() });
     }
     for what in &joint.misfits {
@@ -120,6 +127,9 @@ fn check_passive(dof: &str, kind: &JointKind, passive: &Passive, faults: &mut Ve
 }
 
 fn check_inertia(link: &LinkSpec, faults: &mut Vec<Fault>) {
+    if link.mass.is_finite() && link.mass > Figure::HEAVIEST {
+        faults.push(Fault::TooHeavy { link: link.name.clone(), mass: link.mass });
+    }
     if link.mass < 0.0 {
         faults.push(Fault::NegativeMass { link: link.name.clone(), mass: link.mass });
     }

@@ -223,7 +223,7 @@ impl Motion {
     ) -> Result<Self, MotionError> {
         info.check_figure(figure)?;
         let rate = info.rate;
-        if !(rate > 0.0 && rate <= 1e5) {
+        if !(rate > 0.0 && rate <= MotionInfo::HIGHEST_RATE) {
             return Err(MotionError::Rate { rate });
         }
         let (nq, nv) = (figure.layout().nq(), figure.layout().nv());

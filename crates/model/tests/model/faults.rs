@@ -1,8 +1,8 @@
 //! Every fault of a figure is found, and says what to do.
 
 use solaris_model::{
-    Axis, Curve, Fault, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Matrix3, NamedFrame, Passive,
-    Placement, Shape, ShapeKind, SolePart, Vector3,
+    Axis, Curve, Fault, Figure, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Matrix3, NamedFrame,
+    Passive, Placement, Shape, ShapeKind, SolePart, Vector3,
 };
 use std::collections::HashSet;
 use std::mem::discriminant;
@@ -65,6 +65,11 @@ fn broken() -> Vec<(&'static str, FigureBuilder)> {
             "solid beyond the range",
             with([root("a").mass(1e200).inertia(Inertia::Uniform(capsule(1e60, 1e60)))]),
         ),
+        ("radius without measure", with([root("a").shape(capsule(1e200, 0.3))])),
+        ("length of a solid", with([root("a").mass(1.0).inertia(Inertia::Uniform(capsule(0.1, 1.1e9)))])),
+        ("far away", hinge(Joint::new("j").at(Vector3::new(0.0, -1.1e9, 0.0)).rx())),
+        ("mass without measure", with([root("a").mass(1.1e20)])),
+        ("stature without measure", with([root("a")]).stature(1.1e9)),
         ("origin", hinge(Joint::new("j").at(Vector3::new(NAN, 0.0, 0.0)).rx())),
         ("tip", with([root("a").tip(Vector3::new(0.0, -f64::INFINITY, 0.0))])),
         ("sole", with([root("a").sole(SolePart::Heel, heel)])),
@@ -192,4 +197,36 @@ fn a_one_dof_joint_answers_to_its_name_unless_a_dof_has_it() {
     assert_eq!(named("j.ry"), Some("j.ry"));
     assert_eq!(named("knee"), Some("knee.rx"));
     assert_eq!(figure.anatomical_angles()[0].name, "knee.flexion");
+}
+
+#[test]
+fn what_follows_from_the_largest_lengths_and_masses_is_finite() {
+    let most = Figure::LONGEST;
+    let shapes = [
+        ShapeKind::Box { size: Vector3::repeat(most) },
+        ShapeKind::Cylinder { radius: most, length: most },
+        ShapeKind::Ellipsoid { radii: Vector3::repeat(most) },
+        ShapeKind::Capsule { radius: most, length: most },
+        ShapeKind::Sphere { radius: most },
+    ];
+    for kind in shapes {
+        let far = Vector3::repeat(most);
+        let shape = Shape { kind, placement: Placement::translation(far.x, far.y, far.z) };
+        let link = |name: &str, joint| {
+            LinkSpec::child(name, "a", joint).mass(Figure::HEAVIEST).inertia(Inertia::Uniform(shape)).tip(far)
+        };
+        let root = LinkSpec::root("a", Joint::new("r").at(far).rx())
+            .mass(Figure::HEAVIEST)
+            .inertia(Inertia::Uniform(shape));
+        let figure = FigureBuilder::new("f").link(root).link(link("b", Joint::new("j").at(far).rx()));
+        let figure = figure.stature(most).build().expect("at the limits");
+        assert!(
+            kind.volume().is_finite()
+                && figure.mass().is_finite()
+                && figure.extent(&Vector3::y()).height.is_finite()
+        );
+        for link in figure.links() {
+            assert!(link.inertia().iter().all(|entry| entry.is_finite()), "{kind:?}");
+        }
+    }
 }

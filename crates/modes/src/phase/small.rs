@@ -201,7 +201,11 @@ impl Small {
         let Side { body, q, v, .. } = &mut self.numbers;
         let mut matrix = DMatrix::zeros(v.len(), v.len());
         body.mass_matrix(q, &mut matrix)?;
-        Ok(matrix.select_rows(&self.maps.velocities).select_columns(&self.maps.velocities))
+        let moved = &self.maps.velocities;
+        if moved.iter().copied().eq(0..matrix.nrows()) {
+            return Ok(matrix);
+        }
+        Ok(DMatrix::from_fn(moved.len(), moved.len(), |i, j| matrix[(moved[i], moved[j])]))
     }
 
     /// Writes `∂ẏ/∂y`, by exact derivatives.

@@ -159,7 +159,7 @@ impl Progress {
     /// The same of what links do to each other.
     pub(crate) fn between(&self) -> impl Iterator<Item = (usize, Wrench<f64>)> + '_ {
         let phases = self.stretch.iter().map(|stretch| &stretch.compiled.phase);
-        phases.flat_map(|phase| phase.between()).flat_map(|between| between.wrenches(between.links))
+        phases.flat_map(Phase::between).flat_map(|between| between.wrenches(between.links))
     }
 
     /// The accelerations now (rad/s² or m/s²).

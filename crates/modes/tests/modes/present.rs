@@ -125,7 +125,9 @@ fn pushes_that_are_set_are_those_of_a_script() {
         [(bouncing(), FIXED), (driven(), FIXED), (bouncing(), BY_IMPULSES), (driven(), BY_IMPULSES)]
     {
         let mut scripted = scene.clone();
-        pushes.iter().for_each(|push| scripted.add_push(push.clone()).expect("valid"));
+        for push in &pushes {
+            scripted.add_push(push.clone()).expect("valid");
+        }
         let run = scripted.run(&settings(stepping, 1.0)).expect("runs");
         let mut running = scene.start(stepping).expect("begins");
         running.advance_to(0.3).expect("goes on");

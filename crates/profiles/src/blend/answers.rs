@@ -62,7 +62,10 @@ impl<C: Answers> Answers for Blend<C> {
             Quantity::Position => 1,
             Quantity::Velocity => 2,
             Quantity::Acceleration => 3,
-            Quantity::Jerk => return self.pieces().iter().flat_map(extremes).collect(),
+            Quantity::Jerk => {
+                let ends = |piece: &Piece<'_, C>| extremes(piece).into_iter().chain(near_ends(piece));
+                return self.pieces().iter().flat_map(ends).collect();
+            }
         };
         let mut times = Vec::new();
         for piece in self.pieces() {
@@ -71,6 +74,26 @@ impl<C: Answers> Answers for Blend<C> {
             times.extend(piece.inner());
             times.extend(points.into_iter().map(|(time, _)| time));
             times.extend(rests.into_iter().flat_map(|(from, to)| [from, to]));
+        }
+        times.retain(|&time| time > 0.0 && time < self.duration);
+        times.sort_by(f64::total_cmp);
+        times.dedup_by(|a, b| *a <= *b);
+        times
+    }
+
+    /// Where pieces meet, and where derivatives are zero within them: not the times beside these at which values are looked up, nor
+    /// where only rounding makes something turn, since each would be a break of whatever this blend is a part of, and of its pieces
+    /// there would be a multiple at each depth.
+    fn breaks(&self) -> Vec<f64> {
+        let mut times = Vec::new();
+        for piece in self.pieces() {
+            times.push(piece.from);
+            for order in 1..=3 {
+                let Zeros { points, rests, .. } = zeros(&piece, order);
+                times.extend(points.into_iter().map(|(time, _)| time));
+                times.extend(rests.into_iter().flat_map(|(from, to)| [from, to]));
+            }
+            times.extend(extremes(&piece));
         }
         times.retain(|&time| time > 0.0 && time < self.duration);
         times.sort_by(f64::total_cmp);
@@ -126,23 +149,34 @@ fn knot<C: Answers>(
     Some((time, if turns { Turn::Reversal } else { Turn::Touch }))
 }
 
+/// Instants at which the jerk is looked at in a piece.
+const STEPS: usize = 64;
+
 /// Where the jerk is greatest or smallest within a piece, as far as a search finds.
 fn extremes<C: Answers>(piece: &Piece<'_, C>) -> Vec<f64> {
-    const STEPS: usize = 64;
     let length = piece.to - piece.from;
     let time = |i: usize| piece.from + i as f64 / STEPS as f64 * length;
     let jerk = |time| piece.value(3, time);
     let jerks: Vec<f64> = (0..=STEPS).map(|i| jerk(time(i))).collect();
-    let mut times: Vec<f64> = piece.inner().into();
-    times.extend([piece.from, piece.to]);
+    let mut times = Vec::new();
     for i in 1..STEPS {
         let (rises, falls) = (jerks[i] - jerks[i - 1], jerks[i] - jerks[i + 1]);
-        if rises * falls >= 0.0 {
+        // A jerk that stays the same but for rounding has no greatest.
+        let clear = |change: f64| change.abs() > piece.noise(3, time(i));
+        if rises * falls >= 0.0 && (clear(rises) || clear(falls)) {
             let sign = if rises + falls > 0.0 { 1.0 } else { -1.0 };
             times.push(golden(|time| sign * jerk(time), time(i - 1), time(i + 1)));
         }
     }
-    // Beside an end, it may turn unseen.
+    times
+}
+
+/// Where the jerk is greatest or smallest near the ends of a piece: it may turn unseen beside them.
+fn near_ends<C: Answers>(piece: &Piece<'_, C>) -> Vec<f64> {
+    let time = |i: usize| piece.from + i as f64 / STEPS as f64 * (piece.to - piece.from);
+    let jerk = |time| piece.value(3, time);
+    let mut times: Vec<f64> = piece.inner().into();
+    times.extend([piece.from, piece.to]);
     for (from, to) in [(time(0), time(1)), (time(STEPS - 1), time(STEPS))] {
         times.extend([1.0, -1.0].map(|sign| golden(|time| sign * jerk(time), from, to)));
     }

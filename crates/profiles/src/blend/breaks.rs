@@ -1,19 +1,17 @@
 //! The break points of a clip, between which nothing of it jumps or turns.
 
-use crate::answers::{Answers, Quantity};
+use crate::answers::Answers;
 use crate::clip::{Clip, Outside};
 use crate::float::floor;
 use crate::sample::Sample;
 use alloc::vec::Vec;
-
-const ALL: [Quantity; 4] = [Quantity::Position, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk];
 
 /// Adds the times from 0 to `until` between which position, velocity, acceleration and jerk of a clip each only rise or only
 /// fall, and nothing jumps.
 pub(super) fn breaks<C: Answers>(clip: &Clip<C>, until: f64, times: &mut Vec<f64>) {
     let (curve, start) = (clip.curve(), clip.start());
     let duration = curve.duration();
-    let mut own: Vec<f64> = ALL.into_iter().flat_map(|quantity| curve.critical(quantity)).collect();
+    let mut own = curve.breaks();
     own.extend([0.0, duration]);
     match clip.policy() {
         Outside::Repeat | Outside::Mirror if duration > 0.0 => {

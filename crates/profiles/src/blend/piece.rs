@@ -110,7 +110,7 @@ impl<'a, C: Answers> Piece<'a, C> {
     }
 
     /// How far the derivative of some order may be off at a time by rounding: what its terms come to, added up.
-    fn noise(&self, order: usize, time: f64) -> f64 {
+    pub(super) fn noise(&self, order: usize, time: f64) -> f64 {
         let parts = self.parts(self.place(time));
         let total = parts.iter().fold([0.0; 4], |total, part| sum(total, part[1].map(f64::abs)));
         let all = self.largest.iter().fold([0.0; 4], |all, &one| sum(all, one));

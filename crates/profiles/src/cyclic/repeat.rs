@@ -93,6 +93,13 @@ impl<C: Answers> Repeat<C> {
         (0..self.times).flat_map(move |k| times.iter().map(move |t| f64::from(k) * self.period + t))
     }
 
+    /// Times of the curve in each of its laps, and the joints, rising.
+    fn every(&self, own: &[f64]) -> Vec<f64> {
+        let mut times: Vec<f64> = self.each(own).chain(self.joints()).collect();
+        times.sort_by(f64::total_cmp);
+        times
+    }
+
     /// What the motion does at a joint, if it stands still there.
     fn turn(&self) -> Option<Turn> {
         let (before, after) = (self.curve.before(self.period), self.curve.at(0.0));
@@ -127,9 +134,10 @@ impl<C: Answers> Answers for Repeat<C> {
     }
 
     fn critical(&self, quantity: Quantity) -> Vec<f64> {
-        let own = self.curve.critical(quantity);
-        let mut times: Vec<f64> = self.each(&own).chain(self.joints()).collect();
-        times.sort_by(f64::total_cmp);
-        times
+        self.every(&self.curve.critical(quantity))
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.every(&self.curve.breaks())
     }
 }

@@ -112,6 +112,10 @@ impl Answers for ProfileCurve {
         self.0.answers().critical(quantity)
     }
 
+    fn breaks(&self) -> Vec<f64> {
+        self.0.answers().breaks()
+    }
+
     fn range(&self, quantity: Quantity, from: f64, to: f64) -> (f64, f64) {
         self.0.answers().range(quantity, from, to)
     }
@@ -254,9 +258,11 @@ impl Profile {
                 CubicSpline::clamped(&converted(keys), f(start_velocity), f(end_velocity))?.into()
             }
             Self::Blend { ref first, ref second, fade, leaving } => {
+                self.check_depth()?;
                 Box::new(Blend::between(first.clip()?, second.clip()?, fade, leaving)?).into()
             }
             Self::Weighted { ref layers } => {
+                self.check_depth()?;
                 let layers = layers.iter().map(ProfileLayer::weighted).collect::<Result<Vec<_>, _>>()?;
                 Box::new(Blend::weighted(layers)?).into()
             }
@@ -286,7 +292,28 @@ impl ProfileLayer {
     }
 }
 
+/// The most blends that may stand in each other: answers about each are found from those about the motions within.
+const MOST_IN_EACH_OTHER: f64 = 6.0;
+
 impl Profile {
+    /// Refuses blends that stand deeper in each other than their answers can be found in a moment.
+    fn check_depth(&self) -> Result<(), ProfileError> {
+        check_range("number of blends in each other", self.depth() as f64, Range::at_most(MOST_IN_EACH_OTHER))
+    }
+
+    /// How many blends stand in each other.
+    fn depth(&self) -> usize {
+        let deepest = |layers: &mut dyn Iterator<Item = &ProfileLayer>| {
+            1 + layers.map(|layer| layer.profile.depth()).max().unwrap_or_default()
+        };
+        match self {
+            Self::Blend { first, second, .. } => deepest(&mut [&**first, &**second].into_iter()),
+            Self::Weighted { layers } => deepest(&mut layers.iter()),
+            Self::Repeat { of, .. } => of.depth(),
+            _ => 0,
+        }
+    }
+
     /// How often something in it comes again, one in another counted as often as both together.
     fn laps(&self) -> f64 {
         match self {

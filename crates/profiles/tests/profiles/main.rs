@@ -3,6 +3,7 @@
 mod acceleration_laws;
 mod blend_hard;
 mod blend_laws;
+mod blend_nested;
 mod butterworth;
 mod clip_laws;
 mod curve_laws;

@@ -84,28 +84,15 @@ impl<'t> Place<'t> {
         let Seen { levels, last, .. } = Seen::of(&text[..before]);
         let after = Self::after(text, to, in_quotes);
         let has_colon = text[after..].trim_start().starts_with(':');
+        let value: &'static [Stand] = if in_quotes { &[Stand::Name] } else { &[Stand::Word, Stand::Name] };
         let stands: &'static [Stand] = match (levels.last(), last) {
-            (_, Some(':')) | (None, None) => {
-                if in_quotes {
-                    &[Stand::Name]
-                } else {
-                    &[Stand::Word, Stand::Name]
-                }
-            }
+            (_, Some(':')) | (None, None) | (Some(Level { open: '[', .. }), Some('[' | ',')) => value,
             (Some(Level { open: '{', .. }), Some('{' | ',')) => &[Stand::Key],
-            (Some(Level { open: '[', .. }), Some('[' | ',')) => {
-                if in_quotes {
-                    &[Stand::Name]
-                } else {
-                    &[Stand::Word, Stand::Name]
-                }
-            }
             (Some(Level { open: '(', has_colon, .. }), Some(last @ ('(' | ','))) => {
                 match (in_quotes, has_colon, last) {
-                    (true, ..) => &[Stand::Name],
                     (false, true, _) => &[Stand::Field],
-                    (false, false, '(') => &[Stand::Field, Stand::Word, Stand::Name],
-                    (false, false, _) => &[Stand::Word, Stand::Name],
+                    (false, false, '(') => &[Stand::Field, Stand::Word, Stand::Name][..],
+                    _ => value,
                 }
             }
             _ => return None,
@@ -244,10 +231,9 @@ impl Seen {
 fn pass_quotes(chars: &mut Peekable<CharIndices<'_>>) -> bool {
     while let Some((_, c)) = chars.next() {
         match c {
-            '"' => return true,
-            '\\' => drop(chars.next()),
             // A name over several lines is a quote that was forgotten.
-            '\n' => return true,
+            '"' | '\n' => return true,
+            '\\' => drop(chars.next()),
             _ => {}
         }
     }

@@ -146,6 +146,35 @@ fn what_is_broken_elsewhere_does_not_matter() {
     }
 }
 
+#[test]
+fn what_faults_suggest_mends_the_text() {
+    let text = "Scene(version: 1, figures: {
+        \"ann\": Human(height: 1.75, mas: 73),
+        \"box\": Figure(links: [Link(name: \"base\"), Link(name: \"flap\", parent: \"bas\", joint: Joint(name: \"hinge\", axes: [rx]), mass: 1)]),
+    },
+    places: {bxo: (beside: \"an\")},
+    drives: {\"ann.left_kne\": Frozn, \"box.hinge\": Kinematic(MinimumJrk(from: 0, to: 1, duration: 1))},
+    pushes: [Push(link: \"box.flp\", force: (0, 0, 1), from: 0, over: 1)],
+    duration: 1)";
+    let mut mended = text.to_owned();
+    let mut rounds = 0;
+    // A figure that cannot be used hides what is wrong with its names.
+    while let Err(error) = solaris_scene::read(&mended, &mut NoFiles) {
+        let mut found: Vec<_> = error.faults.iter().filter_map(|fault| fault.suggestion()).collect();
+        found.sort_by_key(|suggestion| std::cmp::Reverse(suggestion.span.start));
+        rounds += 1;
+        assert!(!found.is_empty() && rounds < 6, "{error}\n{mended}");
+        for suggestion in found {
+            mended.replace_range(suggestion.span, &suggestion.replacement);
+        }
+    }
+    assert!(
+        mended.contains("parent: \"base\"") && mended.contains("{\"box\": (beside: \"ann\")}"),
+        "{mended}"
+    );
+    assert!(mended.contains("\"ann.left_knee\": Frozen") && mended.contains("MinimumJerk"), "{mended}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(150))]
 

@@ -167,3 +167,30 @@ fn a_crowd_is_many_people_in_rows() {
     let _ = writeln!(said, "{}", solaris_scene::read(twice, &mut NoFiles).expect_err("refused"));
     insta::assert_snapshot!(said);
 }
+
+/// Texts that are there under every name, and say nothing.
+struct Anything;
+
+impl Loader for Anything {
+    fn figure(&mut self, _path: &str) -> Result<Figure, String> {
+        Err("no figures".to_owned())
+    }
+
+    fn text(&mut self, _path: &str) -> Result<String, String> {
+        Ok("Scene(version: 1)".to_owned())
+    }
+}
+
+#[test]
+fn two_hundred_texts_are_included_and_no_more() {
+    let scene = |count: usize| {
+        let names: Vec<String> = (0..count).map(|i| format!("\"{i}.ron\"")).collect();
+        BLOCK
+            .replace("version: 1, figures", &format!("version: 1, include: [{}], figures", names.join(", ")))
+            .replace("\"tx\"", "\"rail\"")
+    };
+    let said = |count| read(&scene(count), &mut Anything).map_err(|error| error.to_string());
+    assert!(said(200).is_ok(), "{:?}", said(200).err());
+    let error = said(201).expect_err("too many");
+    assert!(error.contains("200"), "{error}");
+}

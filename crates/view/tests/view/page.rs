@@ -107,6 +107,25 @@ fn nothing_is_fetched_from_anywhere() {
 }
 
 #[test]
+fn pictures_fetch_nothing_and_hold_no_markup_of_names() {
+    let name = "<image href=\"https://example.org/x\"/>\u{1b}[31m\u{202e}]]>\"'";
+    let effort =
+        solaris_view::Effort { name: name.into(), unit: name.into(), values: vec![1.0, 2.0], spread: None };
+    let picture = solaris_view::efforts(&[0.0, 0.1], &[effort], &[], &[], name);
+    let whole = solaris_view::picture_page(name, &picture);
+    for text in [&picture, &whole] {
+        assert!(!text.contains("<image") && !text.contains("href=\"http"), "{text}");
+        assert!(!text.contains(|c: char| (c.is_control() && c != '\n') || c == '\u{202e}'), "{text}");
+        let outside = text.replace("http://www.w3.org/2000/svg", "").replace("https://example.org/x", "");
+        assert!(!outside.contains("://"), "{text}");
+    }
+    let (figure, motion) = walk();
+    let title = "</script><script src=//example.org>".to_owned();
+    let html = page(&figure, &motion, &PageOptions { title, ..options() }).expect("a page");
+    assert!(!html.contains("<script src"), "markup out of a title");
+}
+
+#[test]
 fn the_same_motion_gives_the_same_page() {
     let make = || {
         let (figure, motion) = walk();

@@ -8,6 +8,7 @@ import { makeControls } from './controls.js';
 import { readData } from './data.js';
 import { makePicture } from './picture.js';
 import { makePlots } from './plots.js';
+import { makeStudioButton } from './studio.js';
 import { makeTabs } from './tabs.js';
 import { onThemeChange, readTheme } from './theme.js';
 import * as three from './three.js';
@@ -33,7 +34,8 @@ const LONGEST_TICK = 0.5;
 
 // The page of one motion.
 function showPage(holder) {
-  const data = readData(document.getElementById('data').textContent);
+  const { textContent: json } = document.getElementById('data');
+  const data = readData(json);
   const clock = makeClock(data.time);
 
   let picture = null;
@@ -49,6 +51,7 @@ function showPage(holder) {
   const plots = makePlots(joints, forces, data, clock, readTheme());
   makeTabs(document.getElementById('tabs'));
   makeControls(clock, picture, data);
+  makeStudioButton(json, document.title);
   picture?.paint(readTheme());
   onThemeChange(() => {
     picture?.paint(readTheme());

@@ -1,11 +1,12 @@
 //! Files that were dropped together: what they are, and what comes of them.
 
+use super::anatomy::anatomy;
 use super::{Posed, Shelf, Shown};
 use crate::failed;
 use crate::figure::Figure;
 use serde_json::{Value, json};
 use solaris::analysis::Filter;
-use solaris::analysis::ground::Sole;
+use solaris::analysis::ground::{Sole, soles};
 use solaris::files::{AskedGround, External, MomentOptions, OpenOptions, Opened, open};
 use solaris::view::{LinkLine, PageOptions};
 use std::mem::take;
@@ -72,6 +73,13 @@ impl Dropped {
     pub fn posed(&self) -> Result<Posed, JsError> {
         let body = self.opened.body.as_ref().ok_or_else(|| failed("there is no figure among these files"))?;
         Posed::at(self.figure()?, body.rest())
+    }
+
+    /// What its figure is made of, with its markers and soles, as JSON (see `Shown::anatomy`).
+    pub fn anatomy(&self) -> Result<String, JsError> {
+        let body = self.opened.body.as_ref().ok_or_else(|| failed("there is no figure among these files"))?;
+        let given = self.opened.soles.as_ref().map(|(soles, _)| soles.clone());
+        Ok(anatomy(&body.marked(), &given.unwrap_or_else(|| soles(&body.figure))))
     }
 
     /// The motion as it was recorded.

@@ -1,9 +1,11 @@
 //! A figure that is posed by hand.
 
+use super::anatomy::anatomy;
 use super::{joints, still};
 use crate::figure::Figure;
 use crate::{check, failed};
 use serde_json::json;
+use solaris::analysis::ground::soles;
 use solaris::analysis::{Goal, Reach};
 use solaris::dynamics::{Tree, Workspace, inverse_dynamics};
 use solaris::model::{Link, Vector3};
@@ -58,6 +60,11 @@ impl Posed {
             "findings": self.figure.findings(),
         })
         .to_string()
+    }
+
+    /// What the figure is made of, as JSON (see `Shown::anatomy`).
+    pub fn anatomy(&self) -> String {
+        anatomy(&self.figure.figure, &soles(&self.figure.figure))
     }
 
     /// The configuration.

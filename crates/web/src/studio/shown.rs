@@ -1,8 +1,10 @@
 //! A motion as it is looked at and taken away.
 
+use super::anatomy::anatomy;
 use crate::failed;
 use crate::figure::Figure;
 use crate::motion::Motion;
+use solaris::analysis::ground::soles;
 use solaris::io::record::positions_in_degrees;
 use solaris::io::{bvh, csv, glb, sto, usd};
 use solaris::model;
@@ -57,6 +59,12 @@ impl Shown {
             return Err(failed(format!("sample {sample}: there are {}", self.motion.len())));
         }
         Ok(self.motion.q(sample).to_vec())
+    }
+
+    /// What the figure is made of, as JSON: of each link its centre of mass, the ellipsoid of its inertia, named points, axes of its joint; and
+    /// lines of soles, all in the frames of links.
+    pub fn anatomy(&self) -> String {
+        anatomy(&self.figure.figure, &soles(&self.figure.figure))
     }
 
     /// What a page holds of it, as JSON.

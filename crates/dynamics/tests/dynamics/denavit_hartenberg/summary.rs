@@ -35,3 +35,21 @@ fn a_free_body_with_a_ball_and_a_weld() {
         .expect("valid");
     insta::assert_snapshot!(Summary::of(&figure).expect("known joints"));
 }
+
+#[test]
+fn joints_that_are_apart_by_nearly_nothing_have_constants() {
+    for apart in [-1e-300, 5e-324, 1e-200, 1e-160] {
+        for place in
+            [Vector3::new(0.0, 0.0, apart), Vector3::new(apart, 0.0, 0.0), Vector3::new(0.0, apart, -apart)]
+        {
+            let figure = FigureBuilder::new("f")
+                .link(LinkSpec::root("a", Joint::new("i").at(place).rx().rz()).mass(1.0))
+                .link(LinkSpec::child("b", "a", Joint::new("j").at(place).rz().rx()).mass(1.0))
+                .link(LinkSpec::child("c", "b", Joint::free("k").at(place)).mass(1.0))
+                .build()
+                .expect("valid");
+            let said = Summary::of(&figure).expect("known joints").to_string();
+            assert!(!said.contains("NaN") && !said.contains("inf"), "{place}: {said}");
+        }
+    }
+}
