@@ -76,7 +76,6 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
 
   const pages = studyPage(name);
   async function study(): Promise<void> {
-    pages.forget();
     again.hidden = true;
     const done = await workOn<string>('Running by every method', 'studyScene', (page) => {
       pages.show(page, false);
@@ -85,7 +84,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
     if (!done) return;
     pages.show(done.value, true);
     again.hidden = false;
-    pages.open();
+    if (isOpen()) pages.open();
   }
 
   // --- the text
@@ -132,14 +131,24 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
   const element = el(
     'div',
     { class: 'scene' },
-    el('div', { class: 'tools', role: 'group', 'aria-label': 'The text' }, examples, button('Open', () => openText('.ron', (opened) => text.set(opened))), button('Save', () => (editor.flush(), saveText(`${name()}.ron`, text.text))), undo, redo),
-    editor.element,
-    faults.element,
     el('div', { class: 'tools', role: 'group', 'aria-label': 'What comes of it' }, runs, studies, again),
     work,
     told,
+    el(
+      'div',
+      { class: 'tools', role: 'group', 'aria-label': 'The text' },
+      examples,
+      button('Open', () => openText('.ron', (opened) => text.set(opened))),
+      button('Save', () => {
+        editor.flush();
+        saveText(`${name()}.ron`, text.text);
+      }),
+      undo,
+      redo,
+    ),
+    editor.element,
+    faults.element,
     outline,
-    pages.element,
   );
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey)) return;
@@ -165,9 +174,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
       app.fault(error);
     }
   });
-  text.onText(() => element.classList.add('unread'));
   text.onCheck(() => {
-    element.classList.remove('unread');
     faults.show(text.faults);
     // What it said before it was broken stays to be read.
     if (text.outline) outline.replaceChildren(outlineWords(text.outline));

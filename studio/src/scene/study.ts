@@ -4,12 +4,9 @@ import { button, el } from '../ui/dom.ts';
 import { saveText } from './files.ts';
 
 export interface StudyPage {
-  element: HTMLDialogElement;
   // The page so far, or whole.
   show(page: string, whole: boolean): void;
   open(): void;
-  has(): boolean;
-  forget(): void;
 }
 
 export function studyPage(name: () => string): StudyPage {
@@ -24,25 +21,24 @@ export function studyPage(name: () => string): StudyPage {
       { class: 'head' },
       el('strong', {}, 'Error against run time'),
       state,
-      button('Save the page', () => saveText(`${name()}-precision.html`, page, 'text/html')),
+      button('Save page', () => saveText(`${name()}-precision.html`, page, 'text/html')),
       button('Close', () => element.close(), { class: 'close' }),
     ),
     frame,
   );
+  // Not in the panel, which can be hidden.
+  document.body.append(element);
   return {
-    element,
     show(next, whole) {
       page = next;
-      frame.srcdoc = next;
+      // A page that comes into a frame that is not shown stays empty.
+      if (element.open) frame.srcdoc = page;
       state.textContent = whole ? '' : 'so far; more methods are run';
     },
     open() {
-      if (!element.open) element.showModal();
-    },
-    has: () => page !== '',
-    forget() {
-      page = '';
-      frame.removeAttribute('srcdoc');
+      if (element.open) return;
+      element.showModal();
+      frame.srcdoc = page;
     },
   };
 }
