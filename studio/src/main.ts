@@ -3,11 +3,13 @@
 import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
+import { makeJointsPanel } from './panels/joints.ts';
 import { makeWalkPanel } from './panels/walk.ts';
 
 const app = makeApp();
 const text = makeDocument(app);
 const walk = makeWalkPanel(app);
+makeJointsPanel(app, text);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
