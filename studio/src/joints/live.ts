@@ -60,7 +60,7 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
   const energy = el('table', { class: 'energy' });
   const again = button('Anew', () => void begin(), { title: 'From the beginning' });
   let begin: () => Promise<void> = async () => {};
-  const element = el('div', { class: 'live', hidden: true }, el('div', { class: 'row' }, play, backward, one, again, told), scrub, energy);
+  const element = el('div', { class: 'alive', hidden: true }, el('div', { class: 'row' }, play, backward, one, again, told), scrub, energy);
   scrub.addEventListener('input', () => {
     if (playing) self.pause();
     show(Number(scrub.value));

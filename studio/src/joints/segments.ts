@@ -162,9 +162,10 @@ export function lasts({ kind, values, curve, until }: Segment, start: number): n
 export function fresh(kind: string, dof: Dof, at: number, left: number): Segment {
   const turns = dof.turns;
   const way = turns ? Math.PI / 6 : 0.1;
-  // Towards where there is room.
-  const sign = dof.upper !== null && at + way > dof.upper ? -1 : 1;
-  const goal = position(at + sign * way, turns);
+  // Towards where there is more room, and not beyond it.
+  const [above, below] = [(dof.upper ?? Infinity) - at, at - (dof.lower ?? -Infinity)];
+  const gone = above >= Math.min(way, below) ? Math.min(way, Math.max(0, above)) : -Math.min(way, Math.max(0, below));
+  const goal = position(at + gone, turns);
   const time = plain(Math.max(0.1, Math.min(1, left)));
   const texts: Record<string, string> = {
     to: goal,
@@ -172,7 +173,7 @@ export function fresh(kind: string, dof: Dof, at: number, left: number): Segment
     for: time,
     stiffness: turns ? '100.0' : '2000.0',
     damping: turns ? '10.0' : '200.0',
-    amplitude: position(sign * way, turns),
+    amplitude: position(gone, turns),
     period: time,
     offset: position(at, turns),
     force: '1.0',
@@ -181,7 +182,7 @@ export function fresh(kind: string, dof: Dof, at: number, left: number): Segment
   const values = new Map(given.map(({ name }) => [name, texts[name]]));
   const end = Math.max(0.2, Math.min(2, left));
   const keys: [number, number][] =
-    kind === 'TorqueCurve' ? [[0, 0], [end / 2, 1], [end, 0]] : [[0, at], [end / 2, at + sign * way], [end, at]];
+    kind === 'TorqueCurve' ? [[0, 0], [end / 2, 1], [end, 0]] : [[0, at], [end / 2, at + gone], [end, at]];
   const curve: Curve | null = kind === 'Curve' || kind === 'TorqueCurve' ? { kind: 'MonotoneCubic', keys, rest: new Map() } : null;
   return renewed({ kind, text: '', values, curve, until: null }, turns);
 }

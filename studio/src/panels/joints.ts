@@ -17,7 +17,7 @@ import { makeScenePart } from '../joints/scene-part.ts';
 import { DEGREE, field, parse, plain, position, quote, type Node } from '../joints/ron.ts';
 import { makeJointList } from '../joints/tree.ts';
 import type { Picked } from '../pick.ts';
-import { button, el, later, latest, number } from '../ui/dom.ts';
+import { button, byId, el, later, latest, number } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { view } from '../view.ts';
 
@@ -26,6 +26,8 @@ const REST = 300;
 // Of angles without limits, and of slides (m).
 const [FAR, WIDE] = [Math.PI, 1];
 const SCENE = 'scene';
+// For whatever is too stiff to be simulated while it is looked at.
+const IMPULSES = 'Impulses(step: 0.001)';
 
 interface DofView {
   dof: Dof;
@@ -77,6 +79,8 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   const words = el('span', { class: 'remark', 'aria-live': 'polite' });
   const stop = button('Stop', () => app.engine.stop(), { hidden: true });
   const wrong = el('div', { role: 'alert' });
+  // Of the last run.
+  const failed = el('div', { role: 'alert' });
   const remarks = el('div', { class: 'remark', 'aria-live': 'polite' });
   const live = makeLive(app, {
     frame(frame) {
@@ -91,7 +95,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   });
   const list = makeJointList((name) => select(name));
   const details = el('div', { class: 'joint', role: 'region', 'aria-label': 'The chosen joint' });
-  const reach = choose('A drag with Shift moves', [1, 2, 3, 4, 6].map((n) => [String(n), n === 1 ? 'one joint' : `up to ${n} joints`]), '3', () => {});
+  const reach = choose('A drag with Shift moves', [['0', 'the limb'], ...[1, 2, 3, 4, 6].map((n): [string, string] => [String(n), n === 1 ? 'one joint' : `up to ${n} joints`])], '0', () => {});
   const scenePart = makeScenePart(app, text, (edits) => void write(edits), openText);
   const element = el(
     'div',
@@ -100,6 +104,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     bar,
     words,
     wrong,
+    failed,
     live.element,
     remarks,
     scenePart.element,
@@ -127,11 +132,14 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   function say(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     if (message === 'stopped') return;
-    wrong.replaceChildren(el('p', { class: 'fault' }, message));
+    failed.replaceChildren(el('p', { class: 'fault' }, message));
+    if (/too long for|stiff/.test(message) && !field(tree, 'method')) {
+      failed.append(button('Take steps by impulses', () => void write([{ path: ['method'], value: IMPULSES }]), { title: `method: ${IMPULSES}` }));
+    }
     // Beside the joint that it names, too.
     const named = joints.find(({ name, dofs }) => message.includes(`'${name}'`) || dofs.some((dof) => message.includes(`'${dof.name}'`)));
     if (!named) return;
-    if (named.name !== chosen) wrong.append(button(`Show ${named.name}`, () => select(named.name)));
+    if (named.name !== chosen) failed.append(button(`Show ${named.name}`, () => select(named.name)));
     views.find(({ dof }) => message.includes(`'${dof.name}'`))?.drives.fault(message);
   }
 
@@ -165,7 +173,9 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
       shows = null;
       showList();
     }
-    if (shows !== 'pose') showing('pose', () => app.show.live(view.readData(data)));
+    if (shows === 'pose') return;
+    showing('pose', () => app.show.live(view.readData(data)));
+    byId('title').textContent = text.outline?.name ?? '';
   }
 
   const posing = latest(async () => {
@@ -193,6 +203,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   function forget(): void {
     outcomes = [];
     remarks.replaceChildren();
+    failed.replaceChildren();
     for (const { drives } of views) drives.outcomes([]);
   }
 
@@ -228,12 +239,24 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     writeLater();
   }
 
+  // How many joints give way: as many as said, or up to the shoulder or the hip, or three.
+  function reachOf(link: number): number {
+    if (reach.value !== '0') return Number(reach.value);
+    let count = 0;
+    for (let at: number | null = link; at !== null; at = links[at]?.parent ?? null) {
+      const joint = joints.find(({ link: name }) => name === links[at!]?.name);
+      if (joint && joint.dofs.length > 0) count += 1;
+      if (joint && /(shoulder|hip)$/.test(joint.name)) return count;
+    }
+    return 3;
+  }
+
   // --- hands on the picture
   let grip: { link: number; point: number[] } | null = null;
   let was: number[] = [];
   const dragTo = latest(async (place: [number, number, number]) => {
     if (!grip) return;
-    const now = await app.engine.call<Pose>('poseDrag', [grip.link, grip.point, place, Number(reach.value)]).catch((error) => say(error));
+    const now = await app.engine.call<Pose>('poseDrag', [grip.link, grip.point, place, reachOf(grip.link)]).catch((error) => say(error));
     if (!now || !grip) return;
     [q, moments, ahead] = [now.q, now.moments, true];
     app.show.frame(now.poses);
@@ -425,7 +448,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     const { outline } = text;
     if (outline) {
       const other = JSON.stringify(outline.joints) !== JSON.stringify(joints);
-      joints = outline.joints;
+      if (other) joints = outline.joints;
       if (!ahead && !live.on) q = [...outline.q];
       if (other) {
         if (!joints.some(({ name }) => name === chosen)) chosen = null;
@@ -435,6 +458,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
       showList();
     }
     scenePart.sync(tree);
+    failed.replaceChildren();
     syncJoint();
     sayFaults();
     if (outline && !live.on && (shows !== 'motion' || !fresh)) {
@@ -464,7 +488,6 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     await settled();
     live.stop();
     forget();
-    wrong.replaceChildren();
     [bar.hidden, stop.hidden, simulate.disabled] = [false, false, true];
     bar.removeAttribute('value');
     try {
@@ -489,7 +512,6 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   async function goLive(): Promise<void> {
     await settled();
     forget();
-    wrong.replaceChildren();
     try {
       ours = true;
       await live.start(text.text, mass);
