@@ -17,7 +17,8 @@ export interface Show {
   // Shows a motion, at the same time in it where it is the next version of the one before.
   motion(data: Data, how?: { again?: boolean }): void;
   // Shows a figure that is moved by `frame`; `tick` is called as often as the screen draws, until something else is shown.
-  live(data: Data, tick?: Live): void;
+  // `still`: the camera stays where it is.
+  live(data: Data, tick?: Live, how?: { still?: boolean }): void;
   // Poses (seven numbers a link: place, quaternion) of the figure that is live; `forces` of its feet.
   frame(poses: ArrayLike<number>, forces?: { force: number[]; cop: number[] }[]): void;
   isLive(): boolean;
@@ -91,7 +92,7 @@ export function makeShow(results: Tabs): Show {
       if (data.time.length > 1 && !clock.playing && !matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
       listeners.forEach((listener) => listener());
     },
-    live(data, next) {
+    live(data, next, how) {
       clock.pause();
       [self.data, live, tick] = [data, true, next ?? null];
       bar.classList.add('live');
@@ -100,7 +101,7 @@ export function makeShow(results: Tabs): Show {
       data.positions = new Float32Array(data.positions);
       data.camera.aim = new Float32Array(data.camera.aim);
       clock.load(data.time);
-      picture?.load(data, clock);
+      picture?.load(data, clock, how);
       controls.load(data);
       plots?.destroy();
       plots = null;

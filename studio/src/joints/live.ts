@@ -70,10 +70,10 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
   // --- the pull: a line and its newtons
   const label = el('div', { class: 'force pull-label', hidden: true });
   byId('over').append(label);
-  const line = new three.Line(new three.BufferGeometry().setFromPoints([new three.Vector3(), new three.Vector3()]), new three.LineBasicMaterial({ depthTest: false }));
-  const tip = new three.Mesh(new three.SphereGeometry(0.018), new three.MeshBasicMaterial({ depthTest: false }));
+  const line = new three.Line(new three.BufferGeometry().setFromPoints([new three.Vector3(), new three.Vector3()]), new three.LineBasicMaterial({ depthTest: false, transparent: true }));
+  const tip = new three.Mesh(new three.SphereGeometry(0.018), new three.MeshBasicMaterial({ depthTest: false, transparent: true }));
   const arrow = new three.Group().add(line, tip);
-  arrow.renderOrder = 10;
+  line.renderOrder = tip.renderOrder = 10;
   line.frustumCulled = false;
 
   function drawPull(force: number[] | null): void {
@@ -205,7 +205,7 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
       if (mine !== run) return;
       [on, playing, owed, at, frames, speed, grip] = [true, true, 0, 0, [], 1, null];
       element.hidden = false;
-      app.show.live(view.readData(data), tick);
+      app.show.live(view.readData(data), tick, { still: true });
       state();
       keep(await app.engine.call<AliveFrame>('aliveBack', [0]));
     },

@@ -49,6 +49,8 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   // Which figure the engine poses, and what the picture has of it.
   let posed = '';
   let data = '';
+  // The picture has it already, by the camera that the reader turned.
+  let seen = false;
   let shows: 'pose' | 'motion' | 'live' | null = null;
   // The pose of the panel is newer than that of the text.
   let ahead = false;
@@ -171,10 +173,13 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
       const figure = await app.engine.call<PosedFigure>('poseScene', [text.text]);
       [posed, data, links, mass] = [key, figure.data, figure.links, figure.mass];
       shows = null;
+      seen = false;
       showList();
     }
     if (shows === 'pose') return;
-    showing('pose', () => app.show.live(view.readData(data)));
+    const still = seen;
+    seen = true;
+    showing('pose', () => app.show.live(view.readData(data), undefined, { still }));
     byId('title').textContent = text.outline?.name ?? '';
   }
 
@@ -540,7 +545,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     element,
     shown() {
       // Others may have posed another figure meanwhile.
-      [posed, shows, fresh] = ['', null, true];
+      [posed, shows, fresh, seen] = ['', null, true, false];
       if (text.outline || text.faults.length > 0) sync();
       else text.set(text.text);
     },
