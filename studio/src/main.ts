@@ -7,6 +7,7 @@ import { makeSteerPanel } from './panels/steer.ts';
 import { makeComparePanel } from './panels/compare.ts';
 import { makeScenePanel } from './panels/scene.ts';
 import { makeFilesPanel } from './panels/files.ts';
+import { makeJointsPanel } from './panels/joints.ts';
 import { makeWalkPanel } from './panels/walk.ts';
 import { restore } from './link.ts';
 import { receive } from './receive.ts';
@@ -20,6 +21,7 @@ makeScenePanel(app, text);
 const files = makeFilesPanel(app, text);
 makeComparePanel(app);
 makeSave(app, text, walk);
+makeJointsPanel(app, text);
 
 app.results.open('joints-curves');
 app.tools.open('walk');

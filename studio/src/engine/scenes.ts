@@ -94,6 +94,8 @@ export const scenes = {
   // A simulation that goes on frame by frame.
   startScene(_: Context, source: string): { data: string } {
     alive?.free();
+    // What cannot begin leaves nothing.
+    alive = null;
     snapshots.splice(0).forEach((old) => old.free());
     alive = read(source).alive();
     return { data: alive.data() };
