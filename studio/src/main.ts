@@ -3,13 +3,14 @@
 import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
-import { makeSteerPanel } from './panels/steer.ts';
+import { given } from './given.ts';
+import { restore } from './link.ts';
 import { makeComparePanel } from './panels/compare.ts';
-import { makeScenePanel } from './panels/scene.ts';
 import { makeFilesPanel } from './panels/files.ts';
 import { makeJointsPanel } from './panels/joints.ts';
+import { makeScenePanel } from './panels/scene.ts';
+import { makeSteerPanel } from './panels/steer.ts';
 import { makeWalkPanel } from './panels/walk.ts';
-import { restore } from './link.ts';
 import { receive } from './receive.ts';
 import { makeSave } from './save.ts';
 
@@ -17,11 +18,11 @@ const app = makeApp();
 const text = makeDocument(app);
 const walk = makeWalkPanel(app);
 makeSteerPanel(app);
+makeJointsPanel(app, text);
 makeScenePanel(app, text);
 const files = makeFilesPanel(app, text);
 makeComparePanel(app);
 makeSave(app, text, walk);
-makeJointsPanel(app, text);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
@@ -32,8 +33,10 @@ async function begin(): Promise<void> {
   if (fault) app.fault(fault);
 }
 begin()
-  .then(() => {
+  .then(async () => {
     receive(app, files.page);
+    const brought = given();
+    if (brought.length > 0) await files.open(brought);
     document.body.dataset.ready = 'true';
   })
   .catch(app.fault);

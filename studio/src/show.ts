@@ -16,11 +16,7 @@ export interface Show {
   data: Data;
   // Shows a motion, at the same time in it where it is the next version of the one before.
   motion(data: Data, how?: { again?: boolean }): void;
-<<<<<<< HEAD
   // Shows a figure that is moved by `frame`; `tick` is called as often as the screen draws, until something else is shown;
-=======
-  // Shows a figure that is moved by `frame`; `tick` is called as often as the screen draws, until something else is shown.
->>>>>>> studio-joints
   // `still`: the camera stays where it is.
   live(data: Data, tick?: Live, how?: { still?: boolean }): void;
   // Poses (seven numbers a link: place, quaternion) of the figure that is live; `forces` of its feet.
@@ -97,11 +93,7 @@ export function makeShow(results: Tabs): Show {
       if (data.time.length > 1 && !clock.playing && !matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
       listeners.forEach((listener) => listener());
     },
-<<<<<<< HEAD
     live(data, next, { still = false } = {}) {
-=======
-    live(data, next, how) {
->>>>>>> studio-joints
       clock.pause();
       [self.data, live, tick] = [data, true, next ?? null];
       bar.classList.add('live');
@@ -110,11 +102,7 @@ export function makeShow(results: Tabs): Show {
       data.positions = new Float32Array(data.positions);
       data.camera.aim = new Float32Array(data.camera.aim);
       clock.load(data.time);
-<<<<<<< HEAD
       picture?.load(data, clock, { still });
-=======
-      picture?.load(data, clock, how);
->>>>>>> studio-joints
       controls.load(data);
       plots?.destroy();
       plots = null;

@@ -18,7 +18,8 @@ const DEGREE = Math.PI / 180;
 const MOST = 2 ** 30;
 const DRAWN: Record<Kind, string> = { axes: 'axes of joints', masses: 'centres of mass', inertia: 'inertia', soles: 'soles', markers: 'markers' };
 
-interface Given {
+// A file, by its way from whatever was dropped.
+export interface Given {
   name: string;
   bytes: Uint8Array;
 }
