@@ -38,6 +38,9 @@ export function makeApp(): App {
   const show = makeShow(results);
   const numbers = el('div', { class: 'numbers' });
   results.add({ id: 'numbers', title: 'Numbers', element: numbers });
+  // On a telephone one of both sides is seen: that whose tab was chosen last.
+  tools.onOpen(() => (document.body.dataset.side = 'tools'));
+  results.onOpen(() => (document.body.dataset.side = 'results'));
   const notice = el('div', { class: 'notice', role: 'status', hidden: true });
   byId('over').append(notice);
   const listeners: (() => void)[] = [];
