@@ -27,7 +27,7 @@ const plain = join(bound, 'engine_bg.wasm');
 const hash = createHash('sha256').update(readFileSync(plain)).digest('hex').slice(0, 16);
 const [small, packed] = [join(dist, `${hash}.wasm`), join(dist, `${hash}.lzma`)];
 if (!quick && !existsSync(packed)) {
-  const optimizer = join(here, 'node_modules/.bin/wasm-opt');
+  const optimizer = process.env.WASM_OPT ?? join(here, 'node_modules/.bin/wasm-opt');
   run(optimizer, ['-Oz', ...has.map((feature) => `--enable-${feature}`), plain, '-o', small]);
   writeFileSync(packed, compress(readFileSync(small), 9));
 }

@@ -23,7 +23,7 @@ use crate::keys::plain;
 use crate::walk::WalkOptions;
 use serde_json::{Value, json};
 use solaris::gait::GaitOptions;
-use solaris::model::{AxisKind, Motion, MotionInfo};
+use solaris::model::{AxisKind, Ground, Motion, MotionInfo};
 use solaris::view::{PageOptions, page_data};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -56,11 +56,10 @@ pub fn walk_range(
     Ok(options.range_of(&figure.figure, field).map_err(failed)?.map(|range| range.to_vec()))
 }
 
-/// What a page shows of a figure that stands still, to begin a picture with.
-fn still(figure: &Figure, q: &[f64]) -> Result<String, JsError> {
+/// What a page shows of a figure that stands still, over a `ground` where there is one, to begin a picture with.
+fn still(figure: &Figure, q: &[f64], ground: Option<Ground>) -> Result<String, JsError> {
     let nv = figure.figure.layout().nv();
-    let info =
-        MotionInfo { gravity: figure.gravity, rate: 60.0, ..MotionInfo::on_earth(&figure.figure, 60.0) };
+    let info = MotionInfo { gravity: figure.gravity, ground, ..MotionInfo::on_earth(&figure.figure, 60.0) };
     let states = [q.to_vec(), vec![0.0; nv], vec![0.0; nv]];
     let motion = Motion::new(&figure.figure, info, vec![0.0], states).map_err(failed)?;
     page_data(&figure.figure, &motion, &PageOptions::default()).map_err(failed)

@@ -3,7 +3,7 @@
 use super::still;
 use crate::failed;
 use crate::figure::Figure;
-use solaris::model::Vector3;
+use solaris::model::{Ground, Vector3};
 use solaris::modes::{Push, Running};
 use solaris::view::Live;
 use wasm_bindgen::prelude::*;
@@ -14,12 +14,13 @@ pub struct Alive {
     figure: Figure,
     running: Running,
     live: Live,
+    ground: Option<Ground>,
 }
 
 impl Alive {
-    pub(crate) fn new(figure: Figure, running: Running) -> Result<Self, JsError> {
+    pub(crate) fn new(figure: Figure, running: Running, ground: Option<Ground>) -> Result<Self, JsError> {
         let live = Live::new(&figure.figure, figure.gravity).map_err(failed)?;
-        Ok(Self { figure, running, live })
+        Ok(Self { figure, running, live, ground })
     }
 }
 
@@ -27,7 +28,7 @@ impl Alive {
 impl Alive {
     /// What a page holds of it now, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        still(&self.figure, self.running.q())
+        still(&self.figure, self.running.q(), self.ground)
     }
 
     /// Goes on by `dt` (s), and gives the poses of all links: seven numbers each.
@@ -119,6 +120,7 @@ impl Alive {
 
     /// One that goes on from here by itself, to the same bits.
     pub fn copy(&self) -> Alive {
-        Self { figure: self.figure.clone(), running: self.running.clone(), live: self.live.clone() }
+        let (figure, running, live) = (self.figure.clone(), self.running.clone(), self.live.clone());
+        Self { figure, running, live, ground: self.ground }
     }
 }

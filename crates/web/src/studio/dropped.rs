@@ -72,7 +72,7 @@ impl Dropped {
     /// The figure where its coordinates are while nobody says anything else.
     pub fn posed(&self) -> Result<Posed, JsError> {
         let body = self.opened.body.as_ref().ok_or_else(|| failed("there is no figure among these files"))?;
-        Posed::at(self.figure()?, body.rest())
+        Posed::at(self.figure()?, body.rest(), None)
     }
 
     /// What its figure is made of, with its markers and soles, as JSON (see `Shown::anatomy`).

@@ -8,7 +8,7 @@ use serde_json::json;
 use solaris::analysis::ground::soles;
 use solaris::analysis::{Goal, Reach};
 use solaris::dynamics::{Tree, Workspace, inverse_dynamics};
-use solaris::model::{Link, Vector3};
+use solaris::model::{Ground, Link, Vector3};
 use solaris::view::Live;
 use wasm_bindgen::prelude::*;
 
@@ -20,14 +20,15 @@ pub struct Posed {
     live: Live,
     tree: Tree<f64>,
     workspace: Workspace<f64>,
+    ground: Option<Ground>,
 }
 
 impl Posed {
-    pub(crate) fn at(figure: Figure, q: Vec<f64>) -> Result<Self, JsError> {
+    pub(crate) fn at(figure: Figure, q: Vec<f64>, ground: Option<Ground>) -> Result<Self, JsError> {
         let tree = Tree::new(&figure.figure, figure.gravity).map_err(failed)?;
         let mut live = Live::new(&figure.figure, figure.gravity).map_err(failed)?;
         live.poses(&q).map_err(failed)?;
-        Ok(Self { workspace: Workspace::new(&tree), tree, live, q, figure })
+        Ok(Self { workspace: Workspace::new(&tree), tree, live, q, figure, ground })
     }
 }
 
@@ -36,12 +37,12 @@ impl Posed {
     /// With every joint at zero.
     #[wasm_bindgen(constructor)]
     pub fn new(figure: &Figure) -> Result<Posed, JsError> {
-        Self::at(figure.clone(), figure.neutral()?)
+        Self::at(figure.clone(), figure.neutral()?, None)
     }
 
     /// What a page holds of it, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        still(&self.figure, &self.q)
+        still(&self.figure, &self.q, self.ground)
     }
 
     /// The figure: its name, its mass, its links with their parents, its joints with their degrees of freedom, as JSON.

@@ -6,8 +6,8 @@ use crate::figure::Figure;
 use js_sys::Function;
 use serde_json::{Map, Value, json};
 use solaris::files::{Given, Source};
-use solaris::model::TextError;
 use solaris::model::text::{Content, Node, parse};
+use solaris::model::{Ground, TextError};
 use solaris::modes::study::{StudyOptions, study};
 use solaris::modes::time::Stepping;
 use solaris::modes::{EndCondition, Method, Observer, Rule, RunPass, Step};
@@ -125,7 +125,7 @@ impl Script {
 
     /// The figure as it begins.
     pub fn posed(&self) -> Result<Posed, JsError> {
-        Posed::at(self.figure()?, self.scene()?.simulation().state().0.to_vec())
+        Posed::at(self.figure()?, self.scene()?.simulation().state().0.to_vec(), self.ground()?)
     }
 
     /// The figure; of several, all of them as one.
@@ -178,7 +178,7 @@ impl Script {
             _ if simulation.grounded().is_some() => Stepping::Impulses { step: LIVE_STEP },
             _ => Stepping::Fixed { rule: Rule::RungeKutta4, step: LIVE_STEP },
         };
-        Alive::new(self.figure()?, simulation.start(stepping).map_err(failed)?)
+        Alive::new(self.figure()?, simulation.start(stepping).map_err(failed)?, self.ground()?)
     }
 
     /// The text with another value at a path of fields and keys, or without it; a key of a map stands in quotes.
@@ -232,6 +232,14 @@ impl Ran {
 impl Script {
     fn scene(&self) -> Result<&Scene, JsError> {
         self.scene.as_ref().map_err(|error| failed(error.to_string()))
+    }
+
+    /// The ground, as a picture has it.
+    fn ground(&self) -> Result<Option<Ground>, JsError> {
+        let scene = self.scene()?;
+        let (plane, walks) = (scene.simulation().grounded(), scene.walk().is_some());
+        let level = walks.then_some(Ground { height: 0.0, friction: None });
+        Ok(plane.map(|(plane, _)| Ground { height: plane.height, friction: Some(plane.friction) }).or(level))
     }
 
     /// What the text says of degrees of freedom and joints by their own names.

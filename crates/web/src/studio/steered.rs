@@ -5,6 +5,7 @@ use crate::failed;
 use crate::figure::Figure;
 use solaris::dynamics::{Tree, Workspace, inverse_dynamics};
 use solaris::gait::{Command, Walker};
+use solaris::model::Ground;
 use solaris::view::Live;
 use wasm_bindgen::prelude::*;
 
@@ -47,7 +48,7 @@ impl Steered {
 
     /// What a page holds of the first frame, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        still(&self.figure, self.walker.configuration())
+        still(&self.figure, self.walker.configuration(), Some(Ground { height: 0.0, friction: None }))
     }
 
     /// To come to a stand.
