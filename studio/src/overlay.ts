@@ -42,7 +42,8 @@ export function makeOverlay(app: App, ours: () => boolean): Overlay {
     if (motion) tries.unshift(['anatomy', [motion.key]]);
     if (ours()) tries.unshift(['openedAnatomy', []]);
     for (const [name, args] of tries) {
-      const found = await app.engine.call<Anatomy>(name, args).catch(() => null);
+      const engine = name === 'anatomy' ? motion!.engine : app.engine;
+      const found = await engine.call<Anatomy>(name, args).catch(() => null);
       if (found && found.links.map((link) => link.name).join('\n') === names) return found;
     }
     return null;

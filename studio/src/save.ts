@@ -41,18 +41,20 @@ export function makeSave(app: App, document_: SceneDocument, walk: WalkPanel): v
     app.say(`Saved ${name}`);
   }
 
-  const needed = (): number => {
+  const needed = (): NonNullable<App['motion']> => {
     if (!app.motion) throw new Error('there is no motion to save: what is shown was not made here, stands still or goes on by itself');
-    return app.motion.key;
+    return app.motion;
   };
 
   async function motion(format: string, type: string): Promise<void> {
-    const bytes = await app.engine.call<Uint8Array<ArrayBuffer>>('save', [needed(), format]);
+    const { engine, key } = needed();
+    const bytes = await engine.call<Uint8Array<ArrayBuffer>>('save', [key, format]);
     give(bytes, fileName(title(), format), type);
   }
 
   async function page(): Promise<void> {
-    const html = await app.engine.call<string>('page', [needed(), parts.viewer, parts.style, app.motion!.rows]);
+    const { engine, key, rows } = needed();
+    const html = await engine.call<string>('page', [key, parts.viewer, parts.style, rows]);
     give(html, fileName(title(), 'html'), 'text/html');
   }
 

@@ -138,6 +138,24 @@ test('a run that takes long is stopped at once, and the page goes on working', a
   await page.waitForFunction(() => !globalThis.studio.show.isLive());
 });
 
+test('what was run is taken away as a table, also after another run was stopped', async (t) => {
+  const page = await begin(t);
+  if (!page) return;
+  await example(page, 'A pendulum');
+  await page.waitForFunction(() => globalThis.studio.document.outline?.name === 'pendulum');
+  await page.click('.scene .run');
+  await page.waitForFunction(() => !globalThis.studio.show.isLive());
+  await page.getByRole('button', { name: 'Error against run time' }).click();
+  await page.waitForFunction(() => document.querySelector('.scene progress').value > 0);
+  await page.click('.scene .stop');
+  await page.waitForFunction(() => document.querySelector('.scene .work').hidden);
+  await page.click('#save summary');
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#save >> text=Table')]);
+  const lines = readFileSync(await saved.path(), 'utf8').trim().split('\n');
+  assert.match(lines[0], /pivot/);
+  assert.ok(lines.length > 1000, String(lines.length));
+});
+
 test('what another panel writes comes in as one step, keeps the cursor, and is undone', async (t) => {
   const page = await begin(t);
   if (!page) return;

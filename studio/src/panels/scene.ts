@@ -14,6 +14,7 @@ import { outlineWords } from '../scene/outline.ts';
 import { reportRows, type RunReport } from '../scene/report.ts';
 import { makeRunner } from '../scene/runner.ts';
 import { studyPage } from '../scene/study.ts';
+import { fileName } from '../save.ts';
 import { button, byId, el, latest } from '../ui/dom.ts';
 import { view } from '../view.ts';
 
@@ -141,7 +142,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
       button('Open', () => openText('.ron', (opened) => text.set(opened))),
       button('Save', () => {
         editor.flush();
-        saveText(`${name()}.ron`, text.text);
+        saveText(fileName(name(), 'ron'), text.text);
       }),
       undo,
       redo,
@@ -169,6 +170,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
       const now = data.links.map((link) => link.name).join();
       app.show.live(data, undefined, { still: app.show.isLive() && now === links });
       links = now;
+      app.motion = null;
       byId('title').textContent = name();
     } catch (error) {
       app.fault(error);

@@ -7,7 +7,7 @@ const WHILE = 10_000;
 
 export function saveText(name: string, text: string, type = 'text/plain'): void {
   const address = URL.createObjectURL(new Blob([text], { type }));
-  el('a', { href: address, download: name.replace(/[^\w.-]+/g, '_') }).click();
+  el('a', { href: address, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(address), WHILE);
 }
 

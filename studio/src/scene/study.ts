@@ -1,6 +1,7 @@
 // The page of error against run time, over everything else. It is a page of its own that may do nothing: no scripts, no network.
 
 import { button, el } from '../ui/dom.ts';
+import { fileName } from '../save.ts';
 import { saveText } from './files.ts';
 
 export interface StudyPage {
@@ -21,7 +22,7 @@ export function studyPage(name: () => string): StudyPage {
       { class: 'head' },
       el('strong', {}, 'Error against run time'),
       state,
-      button('Save page', () => saveText(`${name()}-precision.html`, page, 'text/html')),
+      button('Save page', () => saveText(fileName(`${name()}-precision`, 'html'), page, 'text/html')),
       button('Close', () => element.close(), { class: 'close' }),
     ),
     frame,
