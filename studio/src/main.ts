@@ -28,6 +28,7 @@ async function begin(): Promise<void> {
   if (fault) app.fault(fault);
 }
 begin()
+  .then(files.begin)
   .then(() => {
     receive(app, files.page);
     document.body.dataset.ready = 'true';
