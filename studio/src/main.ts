@@ -3,7 +3,6 @@
 import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
-import { given } from './given.ts';
 import { restore } from './link.ts';
 import { makeComparePanel } from './panels/compare.ts';
 import { makeFilesPanel } from './panels/files.ts';
@@ -33,10 +32,9 @@ async function begin(): Promise<void> {
   if (fault) app.fault(fault);
 }
 begin()
-  .then(async () => {
+  .then(files.begin)
+  .then(() => {
     receive(app, files.page);
-    const brought = given();
-    if (brought.length > 0) await files.open(brought);
     document.body.dataset.ready = 'true';
   })
   .catch(app.fault);

@@ -29,7 +29,7 @@ export async function open(t, { width = 900, height = 640, dark = false, hash = 
     if (wrong.length > 0) throw new Error(`the page said: ${wrong.join('; ')}`);
   });
   const page = await context.newPage();
-  await page.goto(url);
+  await page.goto(url, { timeout: 60_000 });
   if (ready) await page.waitForFunction(() => document.body.dataset.ready === 'true', null, { timeout: 60_000 });
   return page;
 }

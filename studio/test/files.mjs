@@ -1,7 +1,9 @@
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { choose, fixture, open, text } from './browser.mjs';
+import { choose, fixture, open, STUDIO, text } from './browser.mjs';
 
 test('a robot that is chosen stands there with its mass and its joints', async (t) => {
   const page = await open(t);
@@ -98,4 +100,19 @@ test('what a figure is made of is drawn on it', async (t) => {
   });
   // Two hinges: a line and a dot each.
   assert.equal(await count('axes'), 4);
+});
+
+test('files that were put into the page are open when it begins', async (t) => {
+  if (!existsSync(STUDIO)) return t.skip('there is no studio: `node build.mjs`');
+  const into = mkdtempSync(join(tmpdir(), 'studio-'));
+  t.after(() => rmSync(into, { recursive: true }));
+  // As `solaris studio arm.urdf -o arm.html` writes it, or what it wrote.
+  const base64 = readFileSync(fixture('figures/arm.urdf')).toString('base64');
+  const given = `<script type="application/json" id="given">${JSON.stringify([{ name: 'arm.urdf', base64 }])}</script>\n<script id="boot">`;
+  const made = join(into, 'arm.html');
+  if (!process.env.GIVEN) writeFileSync(made, readFileSync(STUDIO, 'utf8').replace('<script id="boot">', given));
+  const page = await open(t, { url: `file://${process.env.GIVEN ?? made}` });
+  if (!page) return;
+  assert.match(await text(page, '#panel-files .sum'), /^3\.2 kg/);
+  assert.equal(await text(page, '#title'), 'arm');
 });

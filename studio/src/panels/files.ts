@@ -28,6 +28,8 @@ type Moments = ShownMotion & { external: string; findings: string[] };
 export interface FilesPanel {
   // Opens what somebody chose or dropped.
   open(given: Given[]): Promise<void>;
+  // Opens what the page came with: `solaris studio FILE -o …` puts files into it.
+  begin(): Promise<void>;
   // Shows what a page of this program holds: JSON.
   page(json: string, title: string): void;
 }
@@ -221,7 +223,16 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
       about,
     ),
   });
-  return { open, page };
+  return {
+    open,
+    page,
+    async begin() {
+      const held = document.getElementById('given');
+      if (!held) return;
+      const given = JSON.parse(held.textContent ?? '[]') as { name: string; base64: string }[];
+      await open(given.map(({ name, base64 }) => ({ name, bytes: Uint8Array.from(atob(base64), (byte) => byte.charCodeAt(0)) })));
+    },
+  };
 }
 
 const lines = (findings: string[]): Node[] => (findings.length > 0 ? [el('ul', { class: 'findings' }, ...findings.map((finding) => el('li', {}, finding)))] : []);
