@@ -41,7 +41,6 @@ pub(crate) fn run(args: &StudioArgs) -> Result<(), CliError> {
         gather(path, "", 0, &mut paths)?;
     }
     outputs.keep_off(paths.iter().map(|(_, path)| path.as_path()))?;
-    let page = PAGE.ok_or(CliError::NoStudio)?;
     let (mut given, mut size) = (Vec::new(), 0);
     for (name, path) in paths {
         let bytes = input::bytes(&path)?;
@@ -54,7 +53,7 @@ pub(crate) fn run(args: &StudioArgs) -> Result<(), CliError> {
         }
         given.push(GivenFile { name, base64: STANDARD.encode(bytes) });
     }
-    let page = with_files(page, &given);
+    let page = with_files(PAGE.ok_or(CliError::NoStudio)?, &given);
     outputs.write(|(), writer| writer.write_all(page.as_bytes()).map_err(CliError::other))?;
     print(|out| {
         for line in outputs.written() {

@@ -6,4 +6,5 @@ mod hostile;
 mod inverse;
 mod limits;
 mod pictures;
+mod studio;
 mod walk;
