@@ -101,6 +101,8 @@ export function makeShow(results: Tabs): Show {
       data.turns = new Float32Array(data.turns);
       data.positions = new Float32Array(data.positions);
       data.camera.aim = new Float32Array(data.camera.aim);
+      // Nobody knows how far the limbs will reach, or whether it will lie.
+      data.camera.reach ??= Array(3).fill(Math.max(...data.camera.half));
       clock.load(data.time);
       picture?.load(data, clock, { still });
       controls.load(data);
@@ -113,19 +115,28 @@ export function makeShow(results: Tabs): Show {
       const links = data.links.length;
       const origin = data.origin;
       const before = [data.root[0], data.root[1], data.root[2]];
-      for (let axis = 0; axis < 3; axis += 1) data.root[axis] = poses[axis] - origin[axis];
+      let moved = false;
+      const write = (into: Float32Array, at: number, value: number): void => {
+        const old = into[at];
+        into[at] = value;
+        moved ||= into[at] !== old;
+      };
+      for (let axis = 0; axis < 3; axis += 1) write(data.root, axis, poses[axis] - origin[axis]);
       for (let link = 0; link < links; link += 1) {
-        for (let axis = 0; axis < 3; axis += 1) data.positions[3 * link + axis] = poses[7 * link + axis] - poses[axis];
-        for (let part = 0; part < 4; part += 1) data.turns[4 * link + part] = poses[7 * link + 3 + part];
+        for (let axis = 0; axis < 3; axis += 1) write(data.positions, 3 * link + axis, poses[7 * link + axis] - poses[axis]);
+        for (let part = 0; part < 4; part += 1) write(data.turns, 4 * link + part, poses[7 * link + 3 + part]);
       }
       // The camera goes along on the level, and up and down only with what leaves it.
       data.camera.aim[0] += data.root[0] - before[0];
       data.camera.aim[2] += data.root[2] - before[2];
       data.feet.forEach((foot, i) => {
-        foot.force.set(acting[i]?.force ?? [0, 0, 0]);
-        foot.cop.set((acting[i]?.cop ?? [0, 0, 0]).map((x, axis) => x - origin[axis]));
+        for (let axis = 0; axis < 3; axis += 1) {
+          write(foot.force, axis, acting[i]?.force[axis] ?? 0);
+          write(foot.cop, axis, (acting[i]?.cop[axis] ?? 0) - origin[axis]);
+        }
       });
-      picture?.touch();
+      // Somebody who stands still is drawn once.
+      if (moved) picture?.touch();
     },
     isLive: () => live,
     onShow: (listener) => listeners.push(listener),

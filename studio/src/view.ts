@@ -41,7 +41,8 @@ export interface Data {
   weight: number | null;
   origin: number[];
   size: number;
-  camera: { half: number[]; aim: Float32Array };
+  // `reach`: half of the box in which shadows are thrown, where it is not `half`.
+  camera: { half: number[]; aim: Float32Array; reach?: number[] };
   ground: { height: number; solid: boolean; relief?: number[][] };
   links: { name: string; side: string; parts: unknown[] }[];
   time: Float32Array;

@@ -19,7 +19,7 @@ if (![file, executablePath].every(existsSync)) {
   process.exit(2);
 }
 
-// Processes below one, and how long each has computed (ms); nothing where the system does not tell.
+// The process below another that draws, and how long one has computed (ms); nothing where the system does not tell.
 const stat = (id) => readFileSync(`/proc/${id}/stat`, 'utf8').replace(/^.*\) /, '').split(' ');
 function drawing(root) {
   try {
@@ -46,11 +46,11 @@ await page.goto(pathToFileURL(file).href);
 await page.waitForFunction(() => document.body.dataset.ready === 'true', null, { timeout: 60_000 });
 await page.click('#tab-steer');
 await page.waitForFunction(() => document.querySelector('.steer-out output')?.textContent === '0 m/s');
-const process_ = drawing(server.process().pid);
+const drawer = drawing(server.process().pid);
 await page.keyboard.down('w');
 await page.keyboard.down('a');
 await page.waitForTimeout(1000);
-const before = process_ && computed(process_);
+const before = drawer && computed(drawer);
 const found = await page.evaluate(async (seconds) => {
   const { picture } = studio.show;
   const { draw } = picture;
@@ -84,7 +84,7 @@ const found = await page.evaluate(async (seconds) => {
   const { renderer } = picture.stage;
   return { frames: frames.slice(1), draws, answers, size: `${renderer.domElement.width}x${renderer.domElement.height}`, lines: renderer.info.render.lines, triangles: renderer.info.render.triangles };
 }, Number(values.seconds));
-const cost = process_ && computed(process_) - before;
+const cost = drawer && computed(drawer) - before;
 await browser.close();
 await server.close();
 
@@ -94,4 +94,4 @@ const sum = found.frames.reduce((a, b) => a + b, 0);
 console.log(`${((1000 * found.frames.length) / sum).toFixed(1)} frames/s over ${(sum / 1000).toFixed(0)} s; ${found.draws.length} pictures of ${found.size}, ${found.triangles} triangles, ${found.lines} lines`);
 console.log(`between frames: median ${ms(at(found.frames, 0.5))} ms, 95 % ${ms(at(found.frames, 0.95))} ms, most ${ms(Math.max(...found.frames))} ms, ${found.frames.filter((time) => time > 50).length} above 50 ms`);
 console.log(`page's drawing: median ${ms(at(found.draws, 0.5))} ms; engine there and back: median ${ms(at(found.answers, 0.5))} ms, 95 % ${ms(at(found.answers, 0.95))} ms`);
-if (process_) console.log(`the process that draws computed ${ms(cost / found.draws.length)} ms a picture`);
+if (drawer) console.log(`the process that draws computed ${ms(cost / found.draws.length)} ms a picture`);

@@ -181,6 +181,8 @@ export function makeSteerPanel(app: App): void {
       if (app.tools.current() !== 'steer') return;
       // One arrow for both feet: it stands where the force of the ground as a whole does.
       next.feet = [{ link: 'ground', side: 'middle', force: new Float32Array(3), cop: new Float32Array(3) }];
+      // The path of the centre of mass is that of a motion: footprints take its place.
+      next.com = null;
       await Promise.all([...wanted()].map((joint) => app.engine.call('loosen', [joint, true])));
       marks?.clear();
       [data, state, point, told, owed] = [next, null, null, '', 0];

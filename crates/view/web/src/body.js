@@ -45,8 +45,8 @@ export function makeBody(data) {
     group.updateMatrixWorld();
     const edges = [Infinity, Infinity, -Infinity, -Infinity];
     group.traverse((mesh) => {
-      // Skins between shapes reach nowhere that the shapes do not.
-      if (!mesh.isMesh || mesh.isSkinnedMesh) return;
+      // Skins between shapes reach nowhere that the shapes do not, and what throws a person's shadow nowhere that the person does not.
+      if (!mesh.isMesh || mesh.isSkinnedMesh || mesh.parent === person?.mesh) return;
       const { count: corners } = mesh.geometry.attributes.position;
       for (let i = 0; i < corners; i += 1) {
         mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).project(camera);

@@ -9,6 +9,7 @@ import {
   LinearFilter,
   Matrix4,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   Quaternion,
   Skeleton,
@@ -20,6 +21,8 @@ import {
 // Pixels of a colour's part in the strip; one row is for the left, one for the right.
 const PIXELS = 64;
 const SHOES = 0;
+// Cells of the height within which a shadow does not tell one point from another.
+const CELLS = 64;
 
 function makeStrip(palette) {
   const width = PIXELS * palette.length;
@@ -60,6 +63,37 @@ function makeGeometry(body) {
   geometry.setIndex(new BufferAttribute(body.triangles, 1));
   geometry.computeVertexNormals();
   return geometry;
+}
+
+// Triangles between few of the points, for the shadow: one of those of a link that are near each other stands for all.
+function rough({ points, links, triangles }) {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = 1; i < points.length; i += 3) [low, high] = [Math.min(low, points[i]), Math.max(high, points[i])];
+  const cell = (high - low) / CELLS;
+  const chosen = new Map();
+  const all = Uint16Array.from({ length: points.length / 3 }, (_, i) => {
+    const key = [links[4 * i], ...[0, 1, 2].map((axis) => Math.round(points[3 * i + axis] / cell))].join();
+    if (!chosen.has(key)) chosen.set(key, i);
+    return chosen.get(key);
+  });
+  const kept = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = [all[triangles[i]], all[triangles[i + 1]], all[triangles[i + 2]]];
+    if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+  }
+  return Uint16Array.from(kept);
+}
+
+// What throws the shadow, with the points of the skin: drawn for the shadow only.
+function makeShade(body, points) {
+  const geometry = new BufferGeometry().setAttribute('position', points).setIndex(new BufferAttribute(rough(body), 1));
+  const shade = new Mesh(geometry, new MeshBasicMaterial());
+  shade.castShadow = true;
+  shade.frustumCulled = false;
+  shade.onBeforeShadow = () => geometry.setDrawRange(0, Infinity);
+  shade.onBeforeRender = () => geometry.setDrawRange(0, 0);
+  shade.raycast = () => {};
+  return shade;
 }
 
 // What moves each point, one after the other: `from[i]` to `from[i + 1]` are those of point i. Most points have one or two.
@@ -119,8 +153,8 @@ export function makePerson(body, bones) {
   const matrices = new Float32Array(16 * bones.length);
   const matrix = new Matrix4();
   mesh.frustumCulled = false;
-  mesh.castShadow = true;
   mesh.receiveShadow = true;
+  mesh.add(makeShade(body, position));
   return {
     mesh,
     // To where the links are.

@@ -132,7 +132,8 @@ export function makePicture(holder, data, clock) {
     ground: (x, z) => parts.ground.height(x, z),
     // Draws where something has changed, and says whether it did.
     draw() {
-      if (!stale) return false;
+      if (stale) stage.pace.move(performance.now());
+      else if (!stage.pace.rest()) return false;
       stale = false;
       const frame = time.frame();
       parts.body.pose(frame);

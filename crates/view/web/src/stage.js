@@ -12,6 +12,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { isSlow, makePace } from './pace.js';
 
 // From where the light comes.
 export const SUN = [-0.9, 2.6, 1.1];
@@ -35,10 +36,10 @@ const PERSON = 1.75;
 
 // Nothing is framed before `stage.frame`. Throws where there is no WebGL.
 export function makeStage(holder) {
-  const renderer = new WebGLRenderer({ antialias: true });
+  const slow = isSlow();
+  const renderer = new WebGLRenderer({ antialias: !slow });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
-  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
   renderer.domElement.setAttribute('role', 'img');
   renderer.domElement.setAttribute('aria-label', 'The moving figure; drag to turn, scroll to zoom');
   holder.prepend(renderer.domElement);
@@ -85,6 +86,7 @@ export function makeStage(holder) {
     camera,
     controls,
     renderer,
+    pace: makePace(renderer, slow),
     width: 0,
     height: 0,
     // `half`: half of the edges of the box that is to be in view; `size`: the greatest edge; `climbs`: whether the figure goes up, and
