@@ -44,6 +44,40 @@ export interface AliveFrame {
   q: number[];
   // Of the joints (nv; N m, N).
   forces: number[];
+  // Of the pull (N), where there is one.
+  pull?: number[];
+}
+
+// A point of a link (m, in its frame) that is drawn to a place of the picture (m) by a spring (N/m).
+export interface Pull {
+  link: number;
+  point: number[];
+  place: number[];
+  stiffness: number;
+}
+
+// A pull is found anew in such steps (s), and lags behind by so much (s): that is its damper.
+const PULL_STEP = 1 / 240;
+const PULL_LAG = 0.1;
+// Where the point was that is pulled.
+let pulled: { link: number; at: number[] } | null = null;
+
+// Goes on under a pull, and gives its force (N).
+function stepPulled(dt: number, { link, point, place, stiffness }: Pull): number[] {
+  const parts = Math.max(1, Math.round(dt / PULL_STEP));
+  const h = dt / parts;
+  let force = [0, 0, 0];
+  let speed = [0, 0, 0];
+  for (let part = 0; part < parts; part += 1) {
+    const to = place.map((x, axis) => x - PULL_LAG * speed[axis]);
+    force = [...running().pull(link, new Float64Array(point), new Float64Array(to), stiffness)];
+    const at = to.map((x, axis) => x - force[axis] / stiffness);
+    const before = pulled?.link === link ? pulled.at : at;
+    running().step(h);
+    speed = at.map((x, axis) => (x - before[axis]) / h);
+    pulled = { link, at };
+  }
+  return force;
 }
 
 const running = (): Alive => {
@@ -100,11 +134,12 @@ export const scenes = {
     alive = read(source).alive();
     return { data: alive.data() };
   },
-  aliveFrame(_: Context, dt: number): AliveFrame {
+  aliveFrame(_: Context, dt: number, pull?: Pull): AliveFrame {
     snapshots.push(running().copy());
     if (snapshots.length > SNAPSHOTS) snapshots.shift()?.free();
-    running().step(dt);
-    return frame();
+    const force = pull ? stepPulled(dt, pull) : undefined;
+    if (!pull) running().step(dt);
+    return { ...frame(), pull: force };
   },
   // Back to how it was so many frames ago.
   aliveBack(_: Context, frames: number): AliveFrame {
@@ -118,7 +153,10 @@ export const scenes = {
   alivePull: (_: Context, link: number, point: number[], place: number[], stiffness: number): number[] => [
     ...running().pull(link, new Float64Array(point), new Float64Array(place), stiffness),
   ],
-  aliveLetGo: (_: Context): void => running().letGo(),
+  aliveLetGo(_: Context): void {
+    pulled = null;
+    running().letGo();
+  },
   aliveTarget: (_: Context, dof: number, to: number): void => running().setTarget(dof, to),
   aliveForce: (_: Context, dof: number, force: number): void => running().setForce(dof, force),
   curve: (_: Context, source: string, samples: number): unknown => JSON.parse(curve(source, samples)),

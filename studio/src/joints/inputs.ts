@@ -17,8 +17,6 @@ export function typed(label: string, unit: string, change: (value: number) => vo
     if (input.value.trim() === '') empty?.();
     else if (Number.isFinite(Number(input.value))) change(Number(input.value));
   });
-  // The arrows and the space bar are the field's, not the picture's.
-  input.addEventListener('keydown', (event) => event.key.length > 1 && event.key.startsWith('Arrow') && event.stopPropagation());
   return {
     element: el('label', { class: 'typed-field' }, el('span', {}, label), el('span', { class: 'typed' }, input, el('span', { class: 'unit' }, unit))),
     get value() {

@@ -12,8 +12,8 @@ const LONGEST = 1 / 20;
 const STEP = 1 / 60;
 // Frames that are kept, as many as the engine keeps.
 const KEPT = 600;
-// Newtons a metre for each kilogram of the figure: half of its weight at 0.6 m.
-const PULL = 8;
+// Newtons a metre for each kilogram of the figure: what lifts an arm, and does not shake a toe.
+const PULL = 3;
 
 export interface LiveHooks {
   frame(frame: AliveFrame): void;
@@ -65,7 +65,6 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
     if (playing) self.pause();
     show(Number(scrub.value));
   });
-  scrub.addEventListener('keydown', (event) => event.stopPropagation());
 
   // --- the pull: a line and its newtons
   const label = el('div', { class: 'force pull-label', hidden: true });
@@ -166,14 +165,16 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
   async function ahead(dt: number): Promise<void> {
     const mine = run;
     await rewind();
-    if (grip) {
-      const held = grip;
+    const held = grip;
+    if (held) {
       held.point ??= await app.engine.call<number[]>('alivePoint', [held.link, held.from]);
-      const force = await app.engine.call<number[]>('alivePull', [held.link, held.point, held.to, PULL * mass]);
-      if (grip === held) drawPull(force);
     }
-    const frame = await app.engine.call<AliveFrame>('aliveFrame', [dt]);
-    if (mine === run && on) keep(frame);
+    // Who has let go meanwhile pulls no more.
+    const pull = held && held === grip ? { link: held.link, point: held.point, place: held.to, stiffness: PULL * mass } : undefined;
+    const frame = await app.engine.call<AliveFrame>('aliveFrame', [dt, pull]);
+    if (mine !== run || !on) return;
+    keep(frame);
+    if (frame.pull && held === grip) drawPull(frame.pull);
   }
 
   function tick(elapsed: number): void {

@@ -115,6 +115,12 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     reach.element,
   );
 
+  // What is typed is the field's, not the picture's.
+  element.addEventListener('keydown', (event) => {
+    const typing = (event.target as Element).matches('input:not([type=checkbox])');
+    if (typing && !event.altKey && !event.ctrlKey && !event.metaKey && event.key !== 'Escape') event.stopPropagation();
+  });
+
   const highlight = makeHighlight(app.show);
   let ours = false;
   app.show.onShow(() => {
