@@ -9,15 +9,16 @@ export const STUDIO = fileURLToPath(new URL('../dist/studio.html', import.meta.u
 const BROWSERS = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/google-chrome', chromium.executablePath()];
 const ARGS = ['--no-sandbox', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 
+// `still`: nothing plays by itself, which spares a machine without a graphics card much.
 // Gives the page when it is ready; null (and the test is skipped) where there is no browser or no studio.
-export async function open(t, { width = 900, height = 640, dark = false, hash = '', url = `file://${STUDIO}${hash}`, ready = true } = {}) {
+export async function open(t, { width = 900, height = 640, dark = false, hash = '', url = `file://${STUDIO}${hash}`, ready = true, still = false } = {}) {
   const executablePath = BROWSERS.find((place) => place && existsSync(place));
   if (!executablePath || !existsSync(STUDIO)) {
     t.skip(executablePath ? 'there is no studio/dist/studio.html; `cargo xtask studio` builds it' : 'there is no Chromium; CHROMIUM says where one is');
     return null;
   }
   const browser = await chromium.launch({ executablePath, args: ARGS });
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', acceptDownloads: true });
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', acceptDownloads: true, reducedMotion: still ? 'reduce' : 'no-preference' });
   const wrong = [];
   context.on('page', (page) => {
     page.on('pageerror', (error) => wrong.push(error.message));

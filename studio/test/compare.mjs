@@ -5,7 +5,7 @@ import { choose, open, text } from './browser.mjs';
 const lines = (page) => page.$$eval('#panel-compare svg.chart path.line', (paths) => paths.map((path) => [path.classList.contains('dashed'), path.getAttribute('d').length > 200]));
 
 test('a walk that is kept stands beside the next one, dashed in the chart', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await page.click('#tab-compare');
   await page.click('text=Keep this motion');
@@ -38,7 +38,7 @@ async function first(page, pattern) {
 }
 
 test('an angle is drawn over its velocity, with values at the pointer', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await page.click('#tab-compare');
   const angle = await first(page, /^knee.*left.*\(°\)$/i);
@@ -51,7 +51,7 @@ test('an angle is drawn over its velocity, with values at the pointer', async (t
 });
 
 test('the distance of two points of an arm is its length', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await page.evaluate(() => { studio.show.clock.pause(); studio.show.clock.seek(2); });
   await page.click('#tab-compare');
@@ -76,7 +76,7 @@ test('the distance of two points of an arm is its length', async (t) => {
 });
 
 test('a link leaves its path', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await page.click('#tab-compare');
   const link = await page.evaluate(() => studio.show.data.links.at(-1).name);
@@ -87,7 +87,7 @@ test('a link leaves its path', async (t) => {
 });
 
 test('what stands still cannot be kept, and says so', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await choose(page, 'figures/arm.urdf');
   await page.waitForSelector('#panel-files .about h2');

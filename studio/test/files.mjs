@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { choose, fixture, open, STUDIO, text } from './browser.mjs';
 
 test('a robot that is chosen stands there with its mass and its joints', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await choose(page, 'figures/arm.urdf');
   await page.waitForSelector('#panel-files .about h2');
@@ -19,7 +19,7 @@ test('a robot that is chosen stands there with its mass and its joints', async (
 });
 
 test('the files of a subject give the joint moments of the command line', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await choose(page, 'subject/subject.osim', 'subject/walk.mot', 'subject/grf.mot', 'subject/loads.xml', 'subject/soles.ron');
   await page.waitForFunction(() => document.querySelector('#panel-files .found')?.textContent);
@@ -38,7 +38,7 @@ test('the files of a subject give the joint moments of the command line', async 
 });
 
 test('files that come one after the other belong together', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await choose(page, 'subject/subject.osim');
   await choose(page, 'subject/walk.mot');
@@ -49,7 +49,7 @@ test('files that come one after the other belong together', async (t) => {
 });
 
 test('a broken file says what is wrong with it, and a name is no markup', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const broken = readFileSync(fixture('figures/arm.urdf'), 'utf8').replace('child link="forearm"', 'child link="nowhere"');
   await choose(page, { name: '<img src=x onerror=alert(1)>.urdf', mimeType: 'text/xml', buffer: Buffer.from(broken) });
@@ -58,7 +58,7 @@ test('a broken file says what is wrong with it, and a name is no markup', async 
 });
 
 test('files dropped on the page are opened', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const source = readFileSync(fixture('figures/arm.urdf'), 'utf8');
   await page.evaluate((given) => {
@@ -74,7 +74,7 @@ test('files dropped on the page are opened', async (t) => {
 });
 
 test('a scene with a fault is opened all the same', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const scene = 'Scene(version: 1, figures: {"ann": Human(height: 1.75, mass: 73.0)}, duration: 1.0, drives: {"nobody.rx": Frozen})\n';
   await choose(page, { name: 'one.ron', mimeType: 'text/plain', buffer: Buffer.from(scene) });
@@ -82,7 +82,7 @@ test('a scene with a fault is opened all the same', async (t) => {
 });
 
 test('what a figure is made of is drawn on it', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   await choose(page, 'figures/arm.urdf');
   const count = (kind) => page.evaluate((name) => {
@@ -111,7 +111,7 @@ test('files that were put into the page are open when it begins', async (t) => {
   const given = `<script type="application/json" id="given">${JSON.stringify([{ name: 'arm.urdf', base64 }])}</script>\n<script id="boot">`;
   const made = join(into, 'arm.html');
   if (!process.env.GIVEN) writeFileSync(made, readFileSync(STUDIO, 'utf8').replace('<script id="boot">', given));
-  const page = await open(t, { url: `file://${process.env.GIVEN ?? made}` });
+  const page = await open(t, { still: true, url: `file://${process.env.GIVEN ?? made}` });
   if (!page) return;
   assert.match(await text(page, '#panel-files .sum'), /^3\.2 kg/);
   assert.equal(await text(page, '#title'), 'arm');

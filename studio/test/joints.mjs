@@ -8,7 +8,7 @@ const GRAVITY = 9.80665;
 
 const scene = (page) => page.evaluate(() => studio.document.text);
 const squeezed = async (page) => (await scene(page)).replace(/\s+/g, ' ');
-const hasText = (page, text) => page.waitForFunction((text) => studio.document.text.includes(text), text, { timeout: 20_000 });
+const hasText = (page, text) => page.waitForFunction((text) => studio.document.text.includes(text), text);
 // Another text, as the editor of the scene would set it.
 const setScene = async (page, text) => {
   await page.evaluate((text) => studio.document.set(text), text);
@@ -46,7 +46,7 @@ async function choose(page, name, mode) {
 
 async function simulate(page) {
   await page.click('button:text-is("Simulate")');
-  await page.waitForSelector('.outcomes li', { timeout: 60_000 });
+  await page.waitForSelector('.outcomes li');
 }
 
 // Where a point of a link is on the page.
@@ -266,7 +266,7 @@ test('a live scene gives way to a pull, obeys its servo, and goes back to what i
   await page.selectOption('#view', 'front');
   await find(page, 'left elbow', 'left_elbow');
   await page.click('button:text-is("Play live")');
-  await page.waitForFunction(() => parseFloat(document.querySelector('.alive output').textContent) > 0.2, null, { timeout: 30_000 });
+  await page.waitForFunction(() => parseFloat(document.querySelector('.alive output').textContent) > 0.2);
   assert.match(await page.locator('.energy').innerText(), /Energy\s+[−\d.]+\s+J/);
   const hangs = await places(page, 'left_hand');
   const at = await onPage(page, 'left_forearm');
@@ -276,14 +276,20 @@ test('a live scene gives way to a pull, obeys its servo, and goes back to what i
     await page.waitForFunction((x) => {
       const { data } = studio.show;
       return Math.abs(data.root[0] + data.positions[3 * data.links.findIndex(({ name }) => name === 'left_hand')] - x) > 0.05;
-    }, hangs[0], { timeout: 20_000 });
+    }, hangs[0]);
     newtons = await page.locator('.pull-label').innerText();
   });
   assert.match(newtons, /^[1-9]\d* N$/);
   assert.ok(await page.locator('.pull-label').isHidden());
+  // By keys as well: as long as one is held.
+  await page.focus('button:text-is("Pull by keys")');
+  await page.keyboard.down('ArrowUp');
+  await page.waitForSelector('.pull-label:not([hidden])');
+  await page.keyboard.up('ArrowUp');
+  await page.waitForSelector('.pull-label', { state: 'hidden' });
   // The slider is the servo's target now.
   await type(dof(page, 'left_elbow.rx').locator('.slider input[type=number]'), -60);
-  await page.waitForFunction(() => /at −[4-7]\d/.test(document.querySelector('.dof[aria-label="left_elbow.rx"] .moment').textContent), null, { timeout: 30_000 });
+  await page.waitForFunction(() => /at −[4-7]\d/.test(document.querySelector('.dof[aria-label="left_elbow.rx"] .moment').textContent));
   await page.click('button:text-is("Pause")');
   await page.waitForTimeout(300);
   const pose = () => page.evaluate(() => [...studio.show.data.positions, ...studio.show.data.turns].join());
@@ -365,7 +371,7 @@ test('all of it goes by keys, on a telephone too', async (t) => {
   assert.ok(wide <= 0, `nothing is cut off (${wide} px)`);
   await page.focus('button:text-is("Play live")');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => parseFloat(document.querySelector('.alive output').textContent) > 0.05, null, { timeout: 30_000 });
+  await page.waitForFunction(() => parseFloat(document.querySelector('.alive output').textContent) > 0.05);
   await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press('Space');
   await page.waitForSelector('.alive button:text-is("Play")');

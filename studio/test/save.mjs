@@ -24,7 +24,7 @@ function folder(t) {
 const head = ({ bytes }, length = 60) => bytes.subarray(0, length).toString('latin1');
 
 test('each format begins as it must', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const into = folder(t);
   const table = await save(page, 'Table', into);
@@ -44,7 +44,7 @@ test('each format begins as it must', async (t) => {
 });
 
 test('a film is one pass of the motion, and can be stopped', async (t) => {
-  const page = await open(t, { width: 700, height: 500 });
+  const page = await open(t, { still: true, width: 700, height: 500 });
   if (!page) return;
   const [download] = await Promise.all([
     page.waitForEvent('download', { timeout: 60_000 }),
@@ -63,7 +63,7 @@ test('a film is one pass of the motion, and can be stopped', async (t) => {
 });
 
 test('the saved page opens by itself and moves', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const html = await save(page, 'Page for a colleague', folder(t));
   assert.match(head(html, 20), /^<!doctype html>/);
@@ -84,7 +84,7 @@ test('the saved page opens by itself and moves', async (t) => {
 });
 
 test('a link gives back the scene and the walk', async (t) => {
-  const page = await open(t);
+  const page = await open(t, { still: true });
   if (!page) return;
   const scene = await page.evaluate(() => studio.document.text.replace('73.0', '61.0'));
   await page.evaluate((next) => studio.document.set(next), scene);
@@ -104,7 +104,7 @@ test('a link gives back the scene and the walk', async (t) => {
 });
 
 test('a link that is none is told, and the studio begins', async (t) => {
-  const page = await open(t, { hash: '#s=nonsense' });
+  const page = await open(t, { still: true, hash: '#s=nonsense' });
   if (!page) return;
   assert.match(await text(page, '.notice'), /the link cannot be opened/);
   assert.equal(await text(page, '#title'), 'A walk');
@@ -120,13 +120,13 @@ function pageOf(data, into) {
 }
 
 test('a page hands its motion over to the studio beside it', async (t) => {
-  const studio = await open(t);
+  const studio = await open(t, { still: true });
   if (!studio) return;
   const into = folder(t);
   const url = pageOf(await studio.evaluate(() => globalThis.studio.motion.data), into);
   await studio.close();
   copyFileSync(STUDIO, join(into, 'studio.html'));
-  const page = await open(t, { url, ready: false });
+  const page = await open(t, { still: true, url, ready: false });
   const [beside] = await Promise.all([page.context().waitForEvent('page'), page.click('#studio')]);
   await beside.waitForFunction(() => document.querySelector('#title')?.textContent === 'Handed over', null, { timeout: 60_000 });
   assert.ok((await beside.evaluate(() => globalThis.studio.show.data.time.length)) > 100);
@@ -134,11 +134,11 @@ test('a page hands its motion over to the studio beside it', async (t) => {
 });
 
 test('a page with no studio beside it says how to get one', async (t) => {
-  const studio = await open(t);
+  const studio = await open(t, { still: true });
   if (!studio) return;
   const url = pageOf(await studio.evaluate(() => globalThis.studio.motion.data), folder(t));
   await studio.close();
-  const page = await open(t, { url, ready: false });
+  const page = await open(t, { still: true, url, ready: false });
   await page.click('#studio');
   await page.waitForSelector('#no-studio:not([hidden])', { timeout: 30_000 });
   assert.match(await text(page, '#no-studio'), /solaris studio -o studio\.html/);

@@ -12,10 +12,14 @@ const LONGEST = 1 / 20;
 const STEP = 1 / 60;
 // Frames that are kept, as many as the engine keeps.
 const KEPT = 600;
+// How far a key pulls (m).
+const REACH = 0.3;
 // Newtons a metre for each kilogram of the figure: what lifts an arm, and does not shake a toe.
 const PULL = 3;
 
 export interface LiveHooks {
+  // The link that is chosen.
+  link(): number | null;
   frame(frame: AliveFrame): void;
   fault(error: unknown): void;
   // It began to move, or stands.
@@ -65,6 +69,25 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
     if (playing) self.pause();
     show(Number(scrub.value));
   });
+
+  // --- by keys: towards where the arrow points in the picture, while it is held
+  const hold = button('Pull by keys', () => hold.focus(), { title: 'The arrow keys pull the chosen link while they are held' });
+  element.querySelector('.row')!.append(hold);
+  hold.addEventListener('keydown', (event) => {
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const link = hooks.link();
+    const [picture, frame] = [app.show.picture, frames[at]];
+    if (!way || link === null || !picture || !frame) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (grip) return;
+    const from = [0, 1, 2].map((axis) => frame.poses[7 * link + axis]) as [number, number, number];
+    const [right, up] = [new three.Vector3(), new three.Vector3()];
+    picture.stage.camera.matrixWorld.extractBasis(right, up, new three.Vector3());
+    self.begin({ link, place: from });
+    self.move(from.map((x, axis) => x + REACH * (way[0] * right.getComponent(axis) + way[1] * up.getComponent(axis))) as [number, number, number]);
+  });
+  for (const over of ['keyup', 'blur']) hold.addEventListener(over, () => grip && self.letGo());
 
   // --- the pull: a line and its newtons
   const label = el('div', { class: 'force pull-label', hidden: true });
@@ -166,9 +189,7 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
     const mine = run;
     await rewind();
     const held = grip;
-    if (held) {
-      held.point ??= await app.engine.call<number[]>('alivePoint', [held.link, held.from]);
-    }
+    if (held) held.point ??= await app.engine.call<number[]>('alivePoint', [held.link, held.from]);
     // Who has let go meanwhile pulls no more.
     const pull = held && held === grip ? { link: held.link, point: held.point, place: held.to, stiffness: PULL * mass } : undefined;
     const frame = await app.engine.call<AliveFrame>('aliveFrame', [dt, pull]);

@@ -85,6 +85,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   const failed = el('div', { role: 'alert' });
   const remarks = el('div', { class: 'remark', 'aria-live': 'polite' });
   const live = makeLive(app, {
+    link: () => highlight.link,
     frame(frame) {
       q = frame.q;
       moments = frame.forces;
