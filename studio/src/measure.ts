@@ -3,6 +3,7 @@
 import type * as Three from 'three';
 import type { App } from './app.ts';
 import { frameAt, placeOf, type Spot } from './curves.ts';
+import { into, pick } from './pick.ts';
 import { el } from './ui/dom.ts';
 import { three, view } from './view.ts';
 
@@ -97,35 +98,9 @@ export function makeMeasure(app: App, changed: (picking: boolean) => void): Meas
 
   // Which point of which link is under the pointer.
   function under(event: PointerEvent): Spot | null {
-    const { picture, data } = show;
-    if (!picture) return null;
-    const box = picture.stage.renderer.domElement.getBoundingClientRect();
-    const at = new three.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-    const ray = new three.Raycaster();
-    ray.setFromCamera(at, picture.stage.camera);
-    const { group: body } = picture.body();
-    body.updateMatrixWorld(true);
-    body.traverse((object) => {
-      // Where the skin was when it was drawn first is not where it is.
-      if ((object as Three.SkinnedMesh).isSkinnedMesh) (object as Three.SkinnedMesh).computeBoundingSphere();
-    });
-    const [hit] = ray.intersectObject(body, true);
-    if (!hit) return null;
-    const bones = body.children.slice(0, data.links.length);
-    let link = bones.findIndex((bone) => bone === hit.object.parent);
-    const mesh = hit.object as Three.SkinnedMesh;
-    if (mesh.isSkinnedMesh && hit.face) {
-      // The bone that has most of the skin there.
-      const { skinIndex, skinWeight } = mesh.geometry.attributes;
-      let most = -1;
-      for (let i = 0; i < 4; i += 1) {
-        const share = skinWeight.getComponent(hit.face.a, i);
-        if (share <= most) continue;
-        most = share;
-        link = bones.indexOf(mesh.skeleton.bones[skinIndex.getComponent(hit.face.a, i)]);
-      }
-    }
-    return link < 0 ? null : { link: data.links[link].name, at: bones[link].worldToLocal(hit.point.clone()) };
+    const found = pick(show, event);
+    const bone = found && show.picture?.body().group.children[found.link];
+    return bone ? { link: show.data.links[found.link].name, at: bone.worldToLocal(into(show, found.place)) } : null;
   }
 
   const holder = document.getElementById('picture')!;

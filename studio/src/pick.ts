@@ -32,8 +32,9 @@ export const outOf = ({ data }: Show, place: Three.Vector3): [number, number, nu
 export const into = ({ data }: Show, place: ArrayLike<number>): Three.Vector3 =>
   new three.Vector3(place[0] - data.origin[0], place[1] - data.origin[1], place[2] - data.origin[2]);
 
-type Skinned = Three.SkinnedMesh;
-const isSkinned = (object: Three.Object3D): object is Skinned => (object as Skinned).isSkinnedMesh === true;
+// A skin that several links move: the viewer moves its points, three.js knows of no more than a mesh.
+export type Skinned = Three.Mesh & { skeleton: Three.Skeleton };
+export const isSkinned = (object: Three.Object3D): object is Skinned => (object as Skinned).skeleton !== undefined;
 
 // The link with the greatest weight at three corners of a skin.
 export function heaviest(mesh: Skinned, corners: number[]): Three.Bone | null {
@@ -55,10 +56,6 @@ export function pick(show: Show, event: At): Picked | null {
   if (!ray || !body) return null;
   const links = body.children.slice(0, show.data.links.length);
   body.updateMatrixWorld();
-  // A skin knows how large it was when it was first asked.
-  body.traverse((object) => {
-    if (isSkinned(object)) [object.boundingSphere, object.boundingBox] = [null as never, null as never];
-  });
   for (const { object, face, point } of ray.intersectObject(body, true)) {
     if (object.userData.shows) continue;
     let link = -1;

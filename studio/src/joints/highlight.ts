@@ -1,7 +1,7 @@
 // The link that is chosen, in the picture.
 
 import type * as Three from 'three';
-import { heaviest } from '../pick.ts';
+import { heaviest, isSkinned } from '../pick.ts';
 import type { Show } from '../show.ts';
 import { three, view } from '../view.ts';
 
@@ -39,7 +39,7 @@ export function makeHighlight(show: Show): Highlight {
       made.push(copy);
     };
     for (const part of [...bone.children] as Three.Mesh[]) add(part.clone(), bone);
-    for (const skin of body.children.filter((object) => (object as Three.SkinnedMesh).isSkinnedMesh) as Three.SkinnedMesh[]) {
+    for (const skin of body.children.filter(isSkinned)) {
       const corners = skin.geometry.getIndex()!;
       const own: number[] = [];
       for (let i = 0; i < corners.count; i += 3) {
@@ -47,7 +47,9 @@ export function makeHighlight(show: Show): Highlight {
         if (heaviest(skin, face) === bone) own.push(...face);
       }
       if (own.length === 0) continue;
-      const copy = skin.clone();
+      // Without what throws its shadow.
+      const copy = new three.Mesh();
+      copy.frustumCulled = false;
       copy.geometry = new three.BufferGeometry();
       for (const [name, attribute] of Object.entries(skin.geometry.attributes)) copy.geometry.setAttribute(name, attribute);
       copy.geometry.setIndex(own);
