@@ -66,6 +66,8 @@ export function makeWalkPanel(app: App): WalkPanel {
   // Which options were touched: the others are what people do.
   const touched = new Map<string, number>();
   let rested: string | null = null;
+  // The key of the walk that was shown last.
+  let own: number | null = null;
 
   const remark = el('p', { class: 'remark', 'aria-live': 'polite' });
   const sliders = new Map<string, Slider>();
@@ -182,6 +184,7 @@ export function makeWalkPanel(app: App): WalkPanel {
     }
     sliders.forEach((other) => other.fault(null));
     app.clear();
+    own = walked.key;
     app.showMotion(walked, rows(walked), { again: from !== null });
     // What was not asked is what came of it.
     const { report } = walked;
@@ -222,7 +225,8 @@ export function makeWalkPanel(app: App): WalkPanel {
     title: 'Walk',
     element,
     shown: () => {
-      if (app.show.isLive()) void plan(null);
+      // What is shown may be somebody else's.
+      if (app.show.isLive() || app.motion?.key !== own) void plan(null);
     },
   });
   return {
