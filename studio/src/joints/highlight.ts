@@ -9,11 +9,14 @@ const COLOUR = '#009e73';
 
 export interface Highlight {
   link: number | null;
+  // Whether it is seen.
+  show(visible: boolean): void;
 }
 
 // Follows whatever is shown.
 export function makeHighlight(show: Show): Highlight {
   let link: number | null = null;
+  let visible = false;
   let made: Three.Object3D[] = [];
   const clear = (): void => {
     for (const object of made) {
@@ -29,7 +32,7 @@ export function makeHighlight(show: Show): Highlight {
   function draw(): void {
     clear();
     const body = show.picture?.body().group;
-    const bone = link === null ? undefined : body?.children[link];
+    const bone = link === null || !visible ? undefined : body?.children[link];
     if (!body || !bone || link === null || link >= show.data.links.length) return;
     const add = (copy: Three.Mesh, parent: Three.Object3D): void => {
       copy.material = material();
@@ -64,6 +67,11 @@ export function makeHighlight(show: Show): Highlight {
     },
     set link(next) {
       link = next;
+      draw();
+      show.picture?.touch();
+    },
+    show(next) {
+      visible = next;
       draw();
       show.picture?.touch();
     },

@@ -553,10 +553,14 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     shown() {
       // Others may have posed another figure meanwhile.
       [posed, shows, fresh, seen] = ['', null, true, false];
+      highlight.show(true);
       if (text.outline || text.faults.length > 0) sync();
       else text.set(text.text);
     },
-    left: () => live.stop(),
+    left() {
+      live.stop();
+      highlight.show(false);
+    },
   });
   showJoint();
 }
