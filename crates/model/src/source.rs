@@ -57,7 +57,7 @@ impl SourceMap {
     }
 
     /// What stands at the place of a fault instead, where the place is that of a name and another is near.
-    fn instead(&self, fault: &Fault) -> Option<String> {
+    pub(crate) fn instead(&self, fault: &Fault) -> Option<String> {
         let Fault::UnknownParent { nearest: Some(nearest), .. } = fault else { return None };
         let (part, name, field) = fault.subject();
         self.field(part, name, field).map(|_| quoted(nearest))

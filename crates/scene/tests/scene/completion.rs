@@ -150,7 +150,7 @@ fn what_is_broken_elsewhere_does_not_matter() {
 fn what_faults_suggest_mends_the_text() {
     let text = "Scene(version: 1, figures: {
         \"ann\": Human(height: 1.75, mas: 73),
-        \"box\": Figure(links: [Link(name: \"base\"), Link(name: \"flap\", parent: \"bas\", joint: Joint(name: \"hinge\", axes: [rx]), mass: 1)]),
+        \"box\": Figure(links: [Link(name: \"base\", joint: Joint(name: \"rail\", axes: [tx]), mass: 1), Link(name: \"flap\", parent: \"bas\", joint: Joint(name: \"hinge\", axes: [rx]), mass: 1)]),
     },
     places: {bxo: (beside: \"an\")},
     drives: {\"ann.left_kne\": Frozn, \"box.hinge\": Kinematic(MinimumJrk(from: 0, to: 1, duration: 1))},

@@ -20,7 +20,8 @@ impl FigureReader<'_> {
             // A ball or free joint has one armature, one damper for all of its degrees of freedom.
             let once = matches!(fault, Fault::Armature { .. } | Fault::Passive { .. });
             if !once || said.insert((span.start, span.end, discriminant(fault))) {
-                self.reader.fault(span, fault.to_string());
+                let instead = self.places.map.instead(fault);
+                self.reader.fault_meaning(span, fault.to_string(), instead);
             }
         }
     }
