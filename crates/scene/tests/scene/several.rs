@@ -186,7 +186,10 @@ fn two_hundred_texts_are_included_and_no_more() {
     let scene = |count: usize| {
         let names: Vec<String> = (0..count).map(|i| format!("\"{i}.ron\"")).collect();
         BLOCK
-            .replace("version: 1, figures", &format!("version: 1, duration: 1, include: [{}], figures", names.join(", ")))
+            .replace(
+                "version: 1, figures",
+                &format!("version: 1, duration: 1, include: [{}], figures", names.join(", ")),
+            )
             .replace("\"tx\"", "\"rail\"")
     };
     let said = |count| read(&scene(count), &mut Anything).map_err(|error| error.to_string());
