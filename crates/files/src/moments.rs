@@ -103,7 +103,7 @@ impl Opened {
                 let feet = PlacedFeet::new(&prepared, soles).map_err(|error| refuse(&error))?;
                 let forces =
                     ground_forces(&feet, &GroundOptions::default()).map_err(|error| refuse(&error))?;
-                external = "the ground's, found from the motion".to_owned();
+                "the ground's, found from the motion".clone_into(&mut external);
                 level = Some(forces.stances.level);
                 ground = Some(forces.loads());
             }

@@ -40,13 +40,11 @@ pub fn edit(
     };
     let mut node = &tree;
     for (depth, step) in way.iter().enumerate() {
-        match entries(text, node)?.into_iter().find(|entry| entry.is(step)) {
-            Some(entry) => node = entry.value,
-            None => {
-                let Some(value) = value else { return Ok(text.to_owned()) };
-                return Ok(added(text, node, depth, step, &nested(&path[depth + 1..], value)));
-            }
-        }
+        let Some(entry) = entries(text, node)?.into_iter().find(|entry| entry.is(step)) else {
+            let Some(value) = value else { return Ok(text.to_owned()) };
+            return Ok(added(text, node, depth, step, &nested(&path[depth + 1..], value)));
+        };
+        node = entry.value;
     }
     let found = entries(text, node)?.into_iter().find(|entry| entry.is(last));
     Ok(match (found, value) {

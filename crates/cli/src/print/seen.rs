@@ -79,7 +79,9 @@ mod tests {
 
     fn written(mut seen: Seen<&mut Vec<u8>>, bytes: &[u8]) {
         // Byte for byte: characters come in parts.
-        bytes.iter().for_each(|byte| seen.write_all(&[*byte]).expect("a vector takes all"));
+        for byte in bytes {
+            seen.write_all(&[*byte]).expect("a vector takes all");
+        }
     }
 
     #[test]

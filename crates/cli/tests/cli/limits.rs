@@ -65,7 +65,9 @@ fn page() -> BTreeMap<(String, String), f64> {
         let [.., value, name, file] = cells[..] else { return None };
         (name != "constant").then(|| ((file.to_owned(), name.to_owned()), number(value)))
     };
-    rows.filter_map(limit).filter(|((file, _), _)| file.ends_with(".rs")).collect()
+    rows.filter_map(limit)
+        .filter(|((file, _), _)| Path::new(file).extension().is_some_and(|end| end == "rs"))
+        .collect()
 }
 
 #[test]

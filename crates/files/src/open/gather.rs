@@ -19,12 +19,15 @@ use std::path::{Path, PathBuf};
 /// So many markers must be the figure's, so that they are taken to be of it.
 const COMMON: usize = 3;
 
+/// What a file was taken for, in words, and whether it is of use; nothing as long as nobody knows.
+type Fate = Option<(String, bool)>;
+
 /// Files, and what they have come to by now.
 pub(super) struct Gathering<'f> {
     files: &'f Given,
     options: OpenOptions,
     /// Every file, what it is, and what became of it.
-    kinds: Vec<(String, Kind, Option<(String, bool)>)>,
+    kinds: Vec<(String, Kind, Fate)>,
     opened: Opened,
 }
 
@@ -104,7 +107,9 @@ impl<'f> Gathering<'f> {
                     None
                 }
             };
-            others.iter().for_each(|other| self.say(other, format!("named by {name}"), true));
+            for other in &others {
+                self.say(other, format!("named by {name}"), true);
+            }
             self.opened.scene = Some(Held { path, text, held });
         }
     }
@@ -141,7 +146,9 @@ impl<'f> Gathering<'f> {
                 }
                 Err(error) => self.fault(&name, "a figure", error),
             }
-            others.iter().for_each(|other| self.say(other, format!("named by {name}"), true));
+            for other in &others {
+                self.say(other, format!("named by {name}"), true);
+            }
         }
     }
 
@@ -268,7 +275,9 @@ impl<'f> Gathering<'f> {
             self.files.forget();
             let read = External::read(self.source(), &[], [None, Some(Path::new(&name))]);
             let others = self.others(&name);
-            others.iter().for_each(|other| self.say(other, format!("named by {name}"), true));
+            for other in &others {
+                self.say(other, format!("named by {name}"), true);
+            }
             let read = read.and_then(|external| match &self.opened.body {
                 Some(body) => external.records(&body.figure).map(|_| external),
                 None => Ok(external),

@@ -52,7 +52,9 @@ pub fn read_rows(text: &str) -> Result<Rows, IoError> {
         Table::check_width(line, record.len())?;
         let mut fields: Vec<String> = record.iter().map(str::to_owned).collect();
         if out.columns.is_empty() {
-            fields.iter_mut().for_each(|name| *name = bare(name).to_owned());
+            for name in &mut fields {
+                *name = bare(name).to_owned();
+            }
             check_header(&Table { columns: fields.clone(), header_line: line, ..Table::default() })?;
             out.columns = fields;
         } else {

@@ -143,7 +143,11 @@ fn headings_with_marks_and_line_ends_are_read_back_or_not_written() {
         let mut text = Vec::new();
         match csv::write_table(&table, &mut text) {
             Ok(()) => {
-                assert_eq!(read(std::str::from_utf8(&text).expect("text")).columns, table.columns, "{name:?}")
+                assert_eq!(
+                    read(std::str::from_utf8(&text).expect("text")).columns,
+                    table.columns,
+                    "{name:?}"
+                );
             }
             Err(error) => assert!(!["a\u{feff}b", "a,\"b\""].contains(&name), "{name:?}: {error}"),
         }

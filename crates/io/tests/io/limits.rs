@@ -37,10 +37,15 @@ fn elements_stand_in_each_other_as_deep_as_the_limits_say() {
     ends_at(100, "deep", of_opensim);
 }
 
+/// All that is written of some numbers, one after the other.
+fn listed(numbers: std::ops::Range<usize>, write: impl Fn(usize) -> String) -> String {
+    numbers.map(write).collect::<Vec<_>>().concat()
+}
+
 #[test]
 fn models_and_copies_are_nested_as_deep_as_the_limits_say() {
     let models = |depth: usize| {
-        let open: String = (0..depth).map(|i| format!("<model name='m{i}'><link name='a'/>")).collect();
+        let open = listed(0..depth, |i| format!("<model name='m{i}'><link name='a'/>"));
         message(sdf::read(&format!("<sdf version='1.9'>{open}{}</sdf>", "</model>".repeat(depth))))
     };
     ends_at(50, "nested in each other", models);
@@ -55,12 +60,12 @@ fn models_and_copies_are_nested_as_deep_as_the_limits_say() {
 #[test]
 fn attributes_and_namespaces_are_counted() {
     let attributes = |count: usize| {
-        let all: String = (0..count).map(|i| format!(" a{i}='1'")).collect();
+        let all = listed(0..count, |i| format!(" a{i}='1'"));
         message(urdf::read(&format!("<robot{all}><link name='a'/></robot>")))
     };
     ends_at(4096, "more than 4096 attributes", attributes);
     let namespaces = |count: usize| {
-        let all: String = (0..count).map(|i| format!("<x xmlns:n{i}='u'/>")).collect();
+        let all = listed(0..count, |i| format!("<x xmlns:n{i}='u'/>"));
         message(urdf::read(&format!("<robot name='r'><link name='a'/>{all}</robot>")))
     };
     ends_at(1000, "more than 1000 namespaces", namespaces);
@@ -69,10 +74,8 @@ fn attributes_and_namespaces_are_counted() {
 #[test]
 fn columns_of_a_table_are_counted() {
     let columns = |count: usize| {
-        let mut text = String::from("time");
-        (1..count).for_each(|i| text.push_str(&format!(",{i}")));
-        text.push('\n');
-        message(csv::read_table(&text))
+        let more = listed(1..count, |i| format!(",{i}"));
+        message(csv::read_table(&format!("time{more}\n")))
     };
     ends_at(1_000_000, "1000000", columns);
 }

@@ -160,7 +160,8 @@ fn what_faults_suggest_mends_the_text() {
     let mut rounds = 0;
     // A figure that cannot be used hides what is wrong with its names.
     while let Err(error) = solaris_scene::read(&mended, &mut NoFiles) {
-        let mut found: Vec<_> = error.faults.iter().filter_map(|fault| fault.suggestion()).collect();
+        let mut found: Vec<_> =
+            error.faults.iter().filter_map(solaris_model::text::TextFault::suggestion).collect();
         found.sort_by_key(|suggestion| std::cmp::Reverse(suggestion.span.start));
         rounds += 1;
         assert!(!found.is_empty() && rounds < 6, "{error}\n{mended}");
