@@ -24,6 +24,13 @@ pub(crate) struct Body {
     palette: Vec<[u8; 3]>,
 }
 
+impl Body {
+    /// As it stands in the page.
+    pub(crate) fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("plain data of finite numbers and text is always JSON")
+    }
+}
+
 /// The skin of a person of our making; none of anything else.
 pub(crate) fn body(figure: &Figure) -> Option<Body> {
     let skin = person(figure, Detail::Coarse)?;

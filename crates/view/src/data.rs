@@ -93,6 +93,15 @@ impl Data {
 
 /// Gathers the data, and refuses what cannot be shown.
 pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<Data, ViewError> {
+    Ok(Data { body: body::body(figure), ..collect_bare(figure, motion, options)? })
+}
+
+/// The same without the skin of a person.
+pub(crate) fn collect_bare(
+    figure: &Figure,
+    motion: &Motion,
+    options: &PageOptions,
+) -> Result<Data, ViewError> {
     motion.check_figure(figure)?;
     if motion.is_empty() {
         return Err(ViewError::Empty { figure: figure.name().to_owned() });
@@ -127,7 +136,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
         sided: links.iter().any(Drawn::is_sided),
         links,
         skins: skin::skins(figure),
-        body: body::body(figure),
+        body: None,
         time: floats(samples.iter().map(|&sample| motion.time()[sample])),
         root: floats(from(&frames.root, origin)),
         positions: ranged(&components(&frames.positions)),

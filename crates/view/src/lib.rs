@@ -162,6 +162,25 @@ pub fn page_by(
     Ok(html::render(&data, options, viewer))
 }
 
+/// The skin of a person as [`page_data`] has it under `body`, as JSON; none of any other figure. It is most of the work of a short motion:
+/// whoever shows many motions of one person makes it once, and takes [`page_data_without_skin`].
+pub fn page_skin(figure: &Figure) -> Option<String> {
+    body::body(figure).map(|body| body.to_json())
+}
+
+/// [`page_data`] without the skin of a person, so that links are drawn by their shapes.
+///
+/// # Errors
+///
+/// As those of [`page_data`].
+pub fn page_data_without_skin(
+    figure: &Figure,
+    motion: &Motion,
+    options: &PageOptions,
+) -> Result<String, ViewError> {
+    Ok(data::collect_bare(figure, motion, options)?.to_json())
+}
+
 /// What a page knows of a motion, as the JSON that stands in it (see *What the page holds*).
 ///
 /// # Errors

@@ -23,8 +23,8 @@ use crate::keys::plain;
 use crate::walk::WalkOptions;
 use serde_json::{Value, json};
 use solaris::gait::GaitOptions;
-use solaris::model::{AxisKind, Ground, Motion, MotionInfo};
-use solaris::view::{PageOptions, page_data};
+use solaris::model::{AxisKind, Figure as Body, Ground, Motion, MotionInfo};
+use solaris::view::{PageOptions, page_data_without_skin, page_skin};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 
@@ -56,13 +56,30 @@ pub fn walk_range(
     Ok(options.range_of(&figure.figure, field).map_err(failed)?.map(|range| range.to_vec()))
 }
 
+thread_local! {
+    /// The person who was shown last, and the skin.
+    static SKIN: RefCell<Option<(Body, Option<String>)>> = const { RefCell::new(None) };
+}
+
+/// What a page holds of a motion, as JSON: the skin of the same person is made once.
+pub(crate) fn shown_data(figure: &Body, motion: &Motion, options: &PageOptions) -> Result<String, JsError> {
+    let data = page_data_without_skin(figure, motion, options).map_err(failed)?;
+    SKIN.with_borrow_mut(|last| {
+        if last.as_ref().is_none_or(|(who, _)| who != figure) {
+            *last = Some((figure.clone(), page_skin(figure)));
+        }
+        let skin = last.as_ref().and_then(|(_, skin)| skin.as_deref());
+        Ok(skin.map_or_else(|| data.clone(), |skin| format!("{{\"body\":{skin},{}", &data[1..])))
+    })
+}
+
 /// What a page shows of a figure that stands still, over a `ground` where there is one, to begin a picture with.
 fn still(figure: &Figure, q: &[f64], ground: Option<Ground>) -> Result<String, JsError> {
     let nv = figure.figure.layout().nv();
     let info = MotionInfo { gravity: figure.gravity, ground, ..MotionInfo::on_earth(&figure.figure, 60.0) };
     let states = [q.to_vec(), vec![0.0; nv], vec![0.0; nv]];
     let motion = Motion::new(&figure.figure, info, vec![0.0], states).map_err(failed)?;
-    page_data(&figure.figure, &motion, &PageOptions::default()).map_err(failed)
+    shown_data(&figure.figure, &motion, &PageOptions::default())
 }
 
 /// The joints of a figure with their degrees of freedom.

@@ -1,6 +1,7 @@
 //! A motion as it is looked at and taken away.
 
 use super::anatomy::anatomy;
+use super::shown_data;
 use crate::failed;
 use crate::figure::Figure;
 use crate::motion::Motion;
@@ -9,7 +10,7 @@ use solaris::io::record::positions_in_degrees;
 use solaris::io::{bvh, csv, glb, sto, usd};
 use solaris::model;
 use solaris::skin::{Detail, skin};
-use solaris::view::{PageOptions, TableRow, Viewer, page_by, page_data};
+use solaris::view::{PageOptions, TableRow, Viewer, page_by};
 use wasm_bindgen::prelude::*;
 
 /// A motion with all that a page says of it.
@@ -69,7 +70,7 @@ impl Shown {
 
     /// What a page holds of it, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        page_data(&self.figure.figure, &self.motion, &self.options).map_err(failed)
+        shown_data(&self.figure.figure, &self.motion, &self.options)
     }
 
     /// A page that shows it, by the viewer's script and style, with rows of a table: label, value, unit and note, one after the other.
