@@ -1,6 +1,6 @@
 // How long frames take while somebody is steered.
 //
-//     node test/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE]
+//     node chores/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE]
 //
 // Walks in a curve by keys that are held, and prints frames a second, the times between frames after the first second, the page's own work and the engine's
 // answers, and what the picture cost in the process that draws. Where other programs share the processors compare ratios, and that cost.

@@ -1,12 +1,12 @@
-// The pictures of docs/studio.md: `node test/pictures.mjs ../docs/studio`.
+// The pictures of docs/studio.md: `node chores/pictures.mjs ../docs/studio`.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { STUDIO, fixture } from './browser.mjs';
+import { STUDIO, fixture } from '../test/browser.mjs';
 
 const folder = process.argv[2];
-if (!folder) throw new Error('usage: node test/pictures.mjs FOLDER');
+if (!folder) throw new Error('usage: node chores/pictures.mjs FOLDER');
 mkdirSync(folder, { recursive: true });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-background-networking'] });
 const page = await browser.newPage({ viewport: { width: 1200, height: 740 }, deviceScaleFactor: 1 });
