@@ -33,7 +33,8 @@ pub(crate) struct Walk {
 /// How fast: of `step_frequency` (steps/min), `step_length` (m) and `speed` (m/s) any one, or two. How far: `steps`, or at
 /// least a `distance` (m). `turn` is by how much each step turns to the left (rad); `path` are points (x left, z forward, m)
 /// to walk along; `then` is a list of dictionaries of more steps, with the keys `steps`, `step_frequency`, `step_length`,
-/// `speed` and `turn`; `{"stand": 2.0}` stops for so many seconds.
+/// `speed` and `turn`; `{"stand": 2.0}` stops for so many seconds. `backward` walks backward; what is in `then` after standing may
+/// have it too.
 ///
 /// On what: `slope` (rad, uphill), `stairs` (a dictionary with `count`, `rise` and `tread` in m), `ground` (points z, height in
 /// m), or `footholds` (rows of z, height, and where known pitch and heading).
@@ -53,7 +54,7 @@ pub(crate) struct Walk {
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, step_frequency=None, step_length=None, speed=None, steps=None,
-    distance=None, turn=0.0, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
+    distance=None, turn=0.0, backward=False, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
     population=None, manner=None, left=None, right=None, variability=None, seed=0, style=None, left_first=None,
     determinants=None, r#loop=None, rate=None
 ))]
@@ -69,6 +70,7 @@ pub(crate) fn walk(
     steps: Option<usize>,
     distance: Option<f64>,
     turn: f64,
+    backward: bool,
     path: Option<&Bound<'_, PyAny>>,
     then: Option<Vec<Bound<'_, PyDict>>>,
     slope: Option<f64>,
@@ -95,6 +97,7 @@ pub(crate) fn walk(
         steps,
         distance,
         turn,
+        backward,
         path: path.map(|points| pairs("path", points)).transpose()?,
         then: then.unwrap_or_default().iter().map(part).collect::<PyResult<_>>()?,
         slope,
@@ -226,7 +229,8 @@ fn keys(name: &str, given: &Bound<'_, PyDict>, known: &[&str]) -> PyResult<()> {
 }
 
 fn part(given: &Bound<'_, PyDict>) -> PyResult<PartOptions> {
-    keys("then", given, &["steps", "distance", "stand", "step_frequency", "step_length", "speed", "turn"])?;
+    let known = ["steps", "distance", "stand", "step_frequency", "step_length", "speed", "turn", "backward"];
+    keys("then", given, &known)?;
     Ok(PartOptions {
         steps: get(given, "steps")?,
         distance: get(given, "distance")?,
@@ -235,6 +239,7 @@ fn part(given: &Bound<'_, PyDict>) -> PyResult<PartOptions> {
         step_length: get(given, "step_length")?,
         speed: get(given, "speed")?,
         turn: get(given, "turn")?.unwrap_or_default(),
+        backward: get(given, "backward")?.unwrap_or_default(),
     })
 }
 

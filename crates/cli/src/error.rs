@@ -25,7 +25,7 @@ pub(crate) enum CliError {
     #[error(transparent)]
     Usage(#[from] UsageError),
     /// The value of an option, as it was typed.
-    #[error("--{option} {value}: {why}")]
+    #[error("--{option}{}{value}: {why}", if value.is_empty() { "" } else { " " })]
     Option { option: String, value: String, why: Box<Refusal> },
     /// A number that no option gave, but that those given lead to.
     #[error("{name} {}{unit}, from {from}: {why}", four(*.value))]

@@ -53,7 +53,7 @@ pub struct JointPeaks {
 pub struct WalkMeasures {
     /// Steps, without the closing one.
     pub steps: usize,
-    /// Distance that the centre of mass went forward (m).
+    /// Distance that the centre of mass went along z, or against it where the body walks backward (m).
     #[cfg_attr(feature = "serde", serde(rename = "distance_m"))]
     pub distance: f64,
     /// How long it lasts (s).
@@ -89,7 +89,8 @@ pub struct WalkExtremes {
     #[doc(alias = "ground reaction force")]
     #[cfg_attr(feature = "serde", serde(rename = "vertical_percent_bw"))]
     pub vertical: Peak,
-    /// Greatest braking and pushing force on one foot (% of body weight).
+    /// Greatest braking and pushing force on one foot, against and along z (% of body weight); where the body walks backward, the other way
+    /// round.
     #[doc(alias = "grf")]
     #[cfg_attr(feature = "serde", serde(rename = "braking_percent_bw"))]
     pub braking: Peak,
@@ -152,7 +153,8 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
     let (sink, cop_outside) = feet::sink_and_cop(figure, motion, &series);
     let contacts: Vec<(f64, usize)> = touch_downs(motion);
     let steps = contacts.len().saturating_sub(1);
-    let forward = |sample: usize| series.com[sample].z;
+    let (sense, last) = (series.sense, motion.len() - 1);
+    let along = |sample: usize| sense * series.com[sample].z;
     let percent = 100.0 / series.weight;
     let force = |f: fn(&nalgebra::Vector3<f64>) -> f64, sign: f64| {
         let values = |side: usize| series.forces[side].iter().map(move |force| sign * percent * f(force));
@@ -161,8 +163,8 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
     };
     let extremes = WalkExtremes {
         vertical: force(|f| f.y, 1.0),
-        braking: force(|f| f.z, -1.0),
-        pushing: force(|f| f.z, 1.0),
+        braking: force(|f| f.z, -sense),
+        pushing: force(|f| f.z, sense),
         friction: series.greatest((0..motion.len()).map(|i| {
             let total = series.forces[0][i] + series.forces[1][i];
             total.x.hypot(total.z) / total.y
@@ -185,8 +187,8 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
     let double_supports = double_supports(motion, &contacts);
     Ok(WalkMeasures {
         steps,
-        distance: forward(motion.len() - 1) - forward(0),
-        duration: motion.time()[motion.len() - 1],
+        distance: along(last) - along(0),
+        duration: motion.time()[last],
         extremes,
         joints: series.joint_peaks(),
         // Without double support it is a run, whose stride has other measures.

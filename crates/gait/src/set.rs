@@ -20,6 +20,8 @@ use window::{Breath, Window};
 
 /// Step frequencies of the loops over the usual one.
 const PACES: [f64; 5] = [0.64, 0.77, 0.89, 1.0, 1.1];
+/// The same of the loops that go backward.
+const BACKWARD: [f64; 2] = [1.0, 0.77];
 /// Steps of a walk whose middle one is steady, right or left at last.
 const STEADY: [usize; 2] = [42, 43];
 /// Contacts until a start with the left or the right foot ends, steps from the contact at which a stop begins, and steps of the walk before and
@@ -45,7 +47,7 @@ const MOST_SPEEDS: usize = 20;
 pub struct SetRequest {
     /// In which manner it walks: its population, parameters and sheet. The rest of it says nothing here.
     pub walk: WalkRequest,
-    /// Speeds of the loops (m/s), at most twenty; `None` for five from slow to fast.
+    /// Speeds of the loops (m/s), at most twenty, negative ones backward, one at least forward; `None` for five from slow to fast and two backward.
     pub speeds: Option<Vec<f64>>,
     /// Frames a second (1/s); strides are fitted to whole frames.
     pub rate: f64,
@@ -67,7 +69,7 @@ pub struct ClipSet {
     /// Frames a second.
     #[cfg_attr(feature = "serde", serde(rename = "rate_per_s"))]
     pub rate: f64,
-    /// Standing, starts, loops from slow to fast, turns, stops.
+    /// Standing, starts, loops from the fastest backward to the fastest forward, turns, stops.
     pub clips: Vec<SetClip>,
     /// The loop that starts end in and stops begin in.
     pub usual: String,
@@ -110,6 +112,7 @@ pub fn clip_set(figure: &Figure, request: &SetRequest) -> Result<ClipSet, GaitEr
     "walk".clone_into(&mut maker.name);
     let usual = maker.plan(&WalkRequest { extent: Extent::Steps(2), ..base.clone() })?.style().step_frequency;
     let requests = maker.paces(&base, request.speeds.as_deref(), usual)?;
+    let backward = maker.backward(&base, request.speeds.as_deref(), usual)?;
 
     let mut loops = Vec::new();
     for (number, request) in requests.iter().enumerate() {
@@ -130,7 +133,7 @@ pub fn clip_set(figure: &Figure, request: &SetRequest) -> Result<ClipSet, GaitEr
         Vec::new()
     };
     let stops = clips.split_off(3);
-    for (mut clip, _) in loops {
+    for mut clip in backward.into_iter().chain(loops.into_iter().map(|(clip, _)| clip)) {
         if request.in_place {
             clip.motion = on_the_spot(figure, &clip.motion)?;
         }
@@ -189,7 +192,10 @@ impl Maker<'_> {
                         (1.0, MOST_SPEEDS as f64),
                     ));
                 }
-                let mut speeds = speeds.to_vec();
+                let mut speeds: Vec<f64> = speeds.iter().copied().filter(|speed| !(*speed < 0.0)).collect();
+                if speeds.is_empty() {
+                    return Err(range("number of speeds forward", 0.0, "", (1.0, MOST_SPEEDS as f64)));
+                }
                 speeds.sort_by(f64::total_cmp);
                 speeds.iter().map(|speed| WalkRequest { speed: Some(*speed), ..base.clone() }).collect()
             }
@@ -225,8 +231,40 @@ impl Maker<'_> {
         clip.paced(&plan);
         // A window that begins and ends at the origin.
         clip.motion = window::at_origin(self.figure, clip.motion)?;
-        clip.advance = [0.0, 2.0 * plan.style().step_length];
+        clip.advance = [0.0, 2.0 * clip.step_length];
         Ok((clip, request.clone()))
+    }
+
+    /// Loops that go backward, from fast to slow, at the speeds that are asked for; where none are, two, of which those that would not hold
+    /// are left out, with a note.
+    fn backward(
+        &mut self,
+        base: &WalkRequest,
+        speeds: Option<&[f64]>,
+        usual: f64,
+    ) -> Result<Vec<SetClip>, GaitError> {
+        let base = WalkRequest { backward: true, ..base.clone() };
+        let asked: Vec<WalkRequest> = match speeds {
+            Some(speeds) => {
+                let mut speeds: Vec<f64> = speeds.iter().copied().filter(|speed| *speed < 0.0).collect();
+                speeds.sort_by(f64::total_cmp);
+                speeds.iter().map(|speed| WalkRequest { speed: Some(-speed), ..base.clone() }).collect()
+            }
+            None => BACKWARD
+                .map(|pace| WalkRequest { step_frequency: Some(pace * usual), ..base.clone() })
+                .to_vec(),
+        };
+        let (mut made, count) = (Vec::new(), asked.len());
+        for (at, asked) in asked.into_iter().enumerate() {
+            let name = format!("walk_backward_{}", count - at);
+            name.clone_into(&mut self.name);
+            match self.in_step(asked).and_then(|fitted| self.steady(&name, &fitted)) {
+                Ok((clip, _)) => made.push(clip),
+                Err(why) if speeds.is_none() => self.notes.push(format!("{name} is left out: {why}")),
+                Err(why) => return Err(why),
+            }
+        }
+        Ok(made)
     }
 
     /// Standing, starts with either foot, stops with either foot at last, in this order.

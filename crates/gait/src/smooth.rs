@@ -1,5 +1,6 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
+mod backward;
 mod band;
 mod footfall;
 mod laid;
@@ -26,6 +27,7 @@ mod walk;
 mod walker;
 
 pub use crate::limbs::swing::Toes;
+pub(crate) use backward::BACKWARD_STEP;
 pub use footfall::Footfall;
 pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};

@@ -23,12 +23,14 @@ export interface WalkOptions {
   distance?: number;
   /** By how much each step turns to the left. */
   turn?: number;
+  /** Whether it goes backward. */
+  backward?: boolean;
   /** Points (x left, z forward) to walk along. */
   path?: [number, number][];
   /** More steps, or standing still for so many seconds. */
   then?: {
     steps?: number; distance?: number; stand?: number;
-    stepFrequency?: number; stepLength?: number; speed?: number; turn?: number;
+    stepFrequency?: number; stepLength?: number; speed?: number; turn?: number; backward?: boolean;
   }[];
   slope?: number;
   stairs?: { count?: number; rise?: number; tread?: number };

@@ -409,6 +409,7 @@ def walk(
     steps: Optional[int] = None,
     distance: Optional[float] = None,
     turn: float = 0.0,
+    backward: bool = False,
     path: Optional[_Numbers] = None,
     then: Optional[Sequence[Mapping[str, float]]] = None,
     slope: Optional[float] = None,

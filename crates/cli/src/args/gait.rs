@@ -212,7 +212,7 @@ pub(crate) struct SetArgs {
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "M/S,…", value_delimiter = ',', allow_hyphen_values = true, help = wrap(
-        "Speeds of the loops, one to twenty [default: five, of 64 to 110 % of people's usual step frequency]"
+        "Speeds of the loops, one to twenty, negative ones backward [default: five, of 64 to 110 % of people's usual step frequency, and two backward]"
     ))]
     pub(crate) speeds: Vec<Number>,
     #[arg(

@@ -36,6 +36,8 @@ const EXAMPLES: &str = "Examples:
       along a way: way.csv has the columns x and z, its points in m
   solaris walk --turn 30 --step-length 0 --steps 6 -o about.html
       half a turn to the left, on the spot
+  solaris walk --steps 4 --then stand=1 --then steps=4,backward -o back.html
+      four steps, a stop, and backward again
   solaris walk --loop in-place -o loop.glb
       one stride that repeats, for a game
   solaris walk --manner sad:0.7 --variability --seed 3 -o sad.html
@@ -328,6 +330,11 @@ pub(crate) struct ChangeArgs {
         turn = TURN.to_degrees().round(), in_all = TURN_IN_ALL.to_degrees().round()
     )))]
     pub(crate) turn: Option<Number>,
+    #[arg(long, help = wrap(
+        "Walk backward: on level ground, a slope or stairs, which rise along the way that it goes; of what comes next after standing, \
+         --then steps=4,backward [default: forward]"
+    ))]
+    pub(crate) backward: bool,
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["steps", "distance", "duration", "turn", "then"], help = wrap(
         "Walk along a way: a table with the columns x (to the left) and z (ahead) in m, points as the walker sees them who stands at 0, 0 \
          and faces along z. Corners are rounded, steps shorter in bends, and it ends at the last point [default: straight on]"

@@ -23,6 +23,8 @@ pub(crate) enum UsageError {
         "--then {typed}: a distance is met from standing to standing; say --then stand=1 before it, or count steps"
     )]
     DistanceOnTheWay { typed: String },
+    #[error("--then {typed}: nobody turns round on the way; say --then stand=1 before it")]
+    BackwardOnTheWay { typed: String },
     #[error(
         "--distance {distance}: it is met by a whole walk, from standing to standing, and more follows; count the steps before \
          --then {then} (--steps N), or stop in between: --distance {distance} --then stand=1 --then {then}"

@@ -36,6 +36,12 @@ pub(super) fn notes(
             if turned > 0.0 { "left" } else { "right" }
         ));
     }
+    if plan.is_backward() {
+        notes.push(
+            "it goes backward, as a walk forward in reversed time: people's joints do nearly so, and their bands are of walking forward"
+                .to_owned(),
+        );
+    }
     let step_frequency = plan.style().step_frequency;
     if measures.extremes.least_knee.value < 0.0 {
         notes.push(format!(
@@ -71,12 +77,12 @@ pub(super) fn notes(
             beyond.time
         ));
     }
-    if step_frequency > 115.0 {
+    if step_frequency > 115.0 && !plan.is_backward() {
         notes.push(
             "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),
         );
     }
-    if step_frequency < 82.0 {
+    if step_frequency < 82.0 && !plan.is_backward() {
         notes.push(
             "up to about 80 steps/min the vertical force dips a little before its second peak".to_owned(),
         );
@@ -87,7 +93,7 @@ pub(super) fn notes(
                 .to_owned(),
         );
     }
-    if measures.steady.is_none() && !repeats {
+    if measures.steady.is_none() && !repeats && !plan.is_backward() {
         notes.push(
             "no steady stride in the middle (eight steps straight on at one pace have one), so there is nothing to hold against people's bands"
                 .to_owned(),

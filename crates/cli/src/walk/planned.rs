@@ -128,7 +128,7 @@ impl Planned {
 
 /// A smooth walk beside the key postures of the same step, where such a step has any.
 fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPostures> {
-    let plan = plan.smooth()?;
+    let plan = plan.smooth().filter(|plan| !plan.is_backward())?;
     let postures = plan.compare_postures(determinants).ok()?;
     Some(BesideKeyPostures { determinants: determinants.count(), postures })
 }

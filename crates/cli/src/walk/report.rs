@@ -55,6 +55,9 @@ pub(crate) struct Walk {
     pub(crate) steps: usize,
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
+    /// Whether it goes backward, the first walk of several.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) backward: bool,
     /// Step length over people's at this height and frequency.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) step_length_over_peoples: Option<f64>,
@@ -146,6 +149,7 @@ impl Report {
                     StyledPlan::Sequence(journey) => journey.walks().map(WalkPlan::steps).sum(),
                     _ => steps,
                 },
+                backward: plan.smooth().is_some_and(WalkPlan::is_backward),
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
                 step_length_over_peoples: (!matches!(plan, StyledPlan::Run(_)))

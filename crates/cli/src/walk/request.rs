@@ -68,6 +68,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         speed: value(pace.speed.as_ref()),
         extent: extent(args, LOOPED_STEPS.0),
         turn,
+        backward: args.changes.backward,
         path,
         left_first: args.manner.first.unwrap_or(inner) == Side::Left,
         parameters,
@@ -148,6 +149,7 @@ fn running(args: &WalkArgs) -> Result<Asked, CliError> {
             step_length: None,
             speed: Some(speed),
             turn,
+            backward: false,
         }) = *what
         else {
             return Err(UsageError::NotOfRuns { typed: typed.clone() }.into());
@@ -177,6 +179,9 @@ fn smooth(first: &WalkRequest, then: &[Then]) -> Result<Asked, CliError> {
     let Staged { request, origins } = stages(first, &next).map_err(|error| match error {
         RequestError::DistanceOnTheWay { number, .. } => {
             UsageError::DistanceOnTheWay { typed: then[number - 1].typed.clone() }.into()
+        }
+        RequestError::BackwardOnTheWay { number } => {
+            UsageError::BackwardOnTheWay { typed: then[number - 1].typed.clone() }.into()
         }
         error => CliError::other(error),
     })?;

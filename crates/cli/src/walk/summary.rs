@@ -29,6 +29,7 @@ pub(super) fn title(report: &Report) -> String {
     let plural = if walk.steps == 1 { "" } else { "s" };
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
     let first = if walk.changes { ", at first" } else { "" };
+    let back = if walk.backward { " backward" } else { "" };
     if walk.style == "run" {
         let (speed, what) = (short(walk.speed_m_s), format!("a person of {height} m and {mass} kg"));
         return if walk.repeats {
@@ -42,11 +43,11 @@ pub(super) fn title(report: &Report) -> String {
     }
     if walk.repeats {
         return format!(
-            "A stride that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
+            "A stride{back} that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
         );
     }
     format!(
-        "A person of {height} m and {mass} kg walks {} step{plural}{first} at {pace} steps/min",
+        "A person of {height} m and {mass} kg walks {} step{plural}{back}{first} at {pace} steps/min",
         walk.steps
     )
 }
@@ -84,7 +85,8 @@ pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> S
     }
     if let Some(stride) = &report.steady_stride {
         let (from, to) = stride.span;
-        let _ = writeln!(text, "\nA steady stride, from {from:.2} to {to:.2} s, and people's\n");
+        let beside = if stride.backward { "" } else { ", and people's" };
+        let _ = writeln!(text, "\nA steady stride, from {from:.2} to {to:.2} s{beside}\n");
         text.push_str(&lines(&steady_rows(report)));
     }
     for list in &report.bands {
@@ -234,7 +236,9 @@ fn steady_rows(report: &Report) -> Vec<Row> {
     let Some(stride) = &report.steady_stride else { return Vec::new() };
     // Kirtley, Whittle and Jefferson 1985: stance = 64.2 − 3.5 v.
     let stance = format!("people {:.1} at this speed (Kirtley 1985)", 64.2 - 3.5 * stride.speed);
-    let ratio = "people 0.0065 (Sekiya 1996, PMC5430280)";
+    let ratio = "people 0.0065 (Sekiya 1996, PMC5430280)".to_owned();
+    // Those are of walking forward.
+    let [ratio, stance] = [ratio, stance].map(|people| if stride.backward { String::new() } else { people });
     let mut rows = vec![
         row("walk ratio", fixed(stride.walk_ratio(), 5), "m·min", ratio),
         row("stance", fixed(stride.stance, 1), "% stride", stance),

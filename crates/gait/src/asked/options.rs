@@ -39,6 +39,8 @@ pub struct GaitOptions {
     pub distance: Option<f64>,
     /// By how much each step turns to the left (rad).
     pub turn: f64,
+    /// Whether it goes backward.
+    pub backward: bool,
     /// Points (x left, z ahead, m) to walk along.
     pub path: Option<Vec<[f64; 2]>>,
     /// What comes next.
@@ -90,6 +92,7 @@ impl Default for GaitOptions {
             steps: None,
             distance: None,
             turn: 0.0,
+            backward: false,
             path: None,
             then: Vec::new(),
             slope: None,
@@ -154,6 +157,8 @@ pub struct PartOptions {
     pub speed: Option<f64>,
     /// By how much each step turns to the left (rad).
     pub turn: f64,
+    /// Whether it goes backward, after standing.
+    pub backward: bool,
 }
 
 /// Stairs; what is left out is as usual ([`crate::Stairs::default`]).

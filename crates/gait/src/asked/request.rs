@@ -45,6 +45,7 @@ impl GaitOptions {
             ("style", !self.style.is_empty() && is_run),
             ("turn", self.turn != 0.0),
             ("path", self.path.is_some()),
+            ("backward", self.backward),
             ("then", !self.then.is_empty() && is_thesis && !is_run),
             ("slope", self.slope.is_some()),
             ("stairs", self.stairs.is_some()),
@@ -171,6 +172,7 @@ impl GaitOptions {
             speed: self.speed,
             extent: self.extent(STEPS, LOOPED[0]),
             turn: self.turn,
+            backward: self.backward,
             ground,
             path,
             left_first: self.left_first.unwrap_or(inner),
@@ -247,8 +249,9 @@ pub(super) fn unknown(
 }
 
 fn next(part: &PartOptions) -> Result<Next, RequestError> {
-    let PartOptions { steps, distance, stand, step_frequency, step_length, speed, turn } = *part;
-    let walked = WalkPart { steps: steps.unwrap_or_default(), step_frequency, step_length, speed, turn };
+    let PartOptions { steps, distance, stand, step_frequency, step_length, speed, turn, backward } = *part;
+    let steps_or_none = steps.unwrap_or_default();
+    let walked = WalkPart { steps: steps_or_none, step_frequency, step_length, speed, turn, backward };
     match (steps, distance, stand) {
         (None, None, Some(time)) if walked == WalkPart::default() => Ok(Next::Stand(time)),
         (None, None, Some(_)) => Err(RequestError::Both { one: "stand", other: "a pace or a turn" }),

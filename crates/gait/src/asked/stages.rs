@@ -36,13 +36,15 @@ impl Staged {
 ///
 /// # Errors
 ///
-/// [`RequestError::DistanceOnTheWay`]: how far it goes is said before it stands.
+/// [`RequestError::DistanceOnTheWay`]: how far it goes is said before it stands; [`RequestError::BackwardOnTheWay`]: nobody turns round
+/// in the middle of a step.
 pub fn stages(first: &WalkRequest, next: &[Next]) -> Result<Staged, RequestError> {
     let WalkRequest { step_frequency, step_length, speed, .. } = *first;
     let mut pace = WalkPart { step_frequency, step_length, speed, ..WalkPart::default() };
-    let anew = |extent: Extent, turn: f64, pace: &WalkPart| {
+    let anew = |extent: Extent, part: &WalkPart, pace: &WalkPart| {
         let WalkPart { step_frequency, step_length, speed, .. } = *pace;
-        Some(WalkRequest { step_frequency, step_length, speed, extent, turn, ..first.clone() })
+        let WalkPart { turn, backward, .. } = *part;
+        Some(WalkRequest { step_frequency, step_length, speed, extent, turn, backward, ..first.clone() })
     };
     let (mut stages, mut walk) = (Vec::new(), Some(first.clone()));
     let mut origins = vec![vec![None]];
@@ -60,17 +62,20 @@ pub fn stages(first: &WalkRequest, next: &[Next]) -> Result<Staged, RequestError
                 origins.push(vec![origin]);
             }
             (Next::Steps(part), Some(walk)) => {
+                if part.backward {
+                    return Err(RequestError::BackwardOnTheWay { number: number + 1 });
+                }
                 walk.then.push(part);
                 if let Some(parts) = origins.last_mut() {
                     parts.push(origin);
                 }
             }
             (Next::Steps(part), None) => {
-                walk = anew(Extent::Steps(part.steps), part.turn, &pace);
+                walk = anew(Extent::Steps(part.steps), &part, &pace);
                 origins.push(vec![origin]);
             }
             (Next::Distance(distance, part), None) => {
-                walk = anew(Extent::Distance(distance), part.turn, &pace);
+                walk = anew(Extent::Distance(distance), &part, &pace);
                 origins.push(vec![origin]);
             }
             (Next::Distance(distance, _), Some(_)) => {

@@ -33,6 +33,8 @@ pub enum PlanError {
     AbruptChange { part: usize, step: usize, time: f64, what: String },
     #[error("step {step} of the path, near ({x:.2}, {z:.2}) at {time:.2} s: {what}{nearest}")]
     OnPath { step: usize, x: f64, z: f64, time: f64, what: String, nearest: String },
+    #[error("a walk backward is one forward in reversed time, and that would not hold: {why}")]
+    Backward { why: Box<PlanError> },
     #[error("the manner, or the variability, that is asked for: {why}; {part} of it holds")]
     OnlyPart { part: f64, why: Box<crate::error::GaitError> },
     #[error("a run at {speed:.2} m/s: {what}; {nearest}")]

@@ -91,6 +91,8 @@ pub enum RequestError {
     Foothold { number: usize, why: String },
     #[error("{what} on ground that is not level: not planned yet; walk one part straight on there")]
     NotOnTerrain { what: &'static str },
+    #[error("{what} backward: not planned yet; walk forward there, or stop and stand before and after it")]
+    NotBackward { what: &'static str },
     #[error("{one} and {other} are both given; drop one")]
     Both { one: &'static str, other: &'static str },
     #[error("{option} is given, which is not of {of}; drop it")]
@@ -103,6 +105,8 @@ pub enum RequestError {
         "what comes next as number {number} is a distance of {distance} m, on the way; say how many steps, or stand before it"
     )]
     DistanceOnTheWay { number: usize, distance: f64 },
+    #[error("what comes next as number {number} goes backward, on the way; stand before it")]
+    BackwardOnTheWay { number: usize },
     #[error("a sequence without a walk; give it one, if only of a single step")]
     NoWalk,
 }

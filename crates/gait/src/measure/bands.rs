@@ -78,13 +78,17 @@ pub struct BandReport {
     pub checks: Vec<BandCheck>,
 }
 
-/// Holds a stride against [`RECIPE_BANDS`] and [`TEXTBOOK_BANDS`].
-pub fn band_reports(stride: &SteadyStride) -> [BandReport; 2] {
+/// Holds a stride against [`RECIPE_BANDS`] and [`TEXTBOOK_BANDS`]; one that goes backward against none.
+pub fn band_reports(stride: &SteadyStride) -> Vec<BandReport> {
+    if stride.backward {
+        return Vec::new();
+    }
     let lists = [
         ("recipe", "the bands that the walk was fitted to", RECIPE_BANDS),
         ("textbook", "textbook range, not cited", TEXTBOOK_BANDS),
     ];
-    lists.map(|(name, source, bands)| BandReport::new(name, source, check_bands(bands, stride)))
+    let report = |(name, source, bands)| BandReport::new(name, source, check_bands(bands, stride));
+    lists.into_iter().map(report).collect()
 }
 
 impl BandReport {

@@ -18,6 +18,8 @@ pub(super) struct Series<'a> {
     /// Body weight (N).
     pub(super) weight: f64,
     pub(super) com: Vec<Vector3<f64>>,
+    /// 1, or −1 where the body goes backward: the sign of its centre of mass's way along where the pelvis faces.
+    pub(super) sense: f64,
     /// Poses of the links with soles, by sample.
     poses: Vec<Pose<f64>>,
     /// Place of each link among them.
@@ -77,6 +79,13 @@ impl<'a> Series<'a> {
             com.push(center_of_mass(&tree, &mut workspace, motion.q(i))?);
             poses.extend(soled.iter().map(|&link| *workspace.pose(link)));
         }
+        let first = figure.layout().joints()[0].q + 3;
+        let facing = |i: usize| motion.q(i)[first + if seen { 0 } else { 1 }].sin_cos();
+        let ways = com.windows(2).enumerate().map(|(i, pair)| {
+            let ((sin, cos), way) = (facing(i), pair[1] - pair[0]);
+            sin * way.x + cos * way.z
+        });
+        let sense = if ways.sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
         let mass = figure.mass();
         let joint = |side: usize, joint: usize| {
             let name = format!("{}_{}", ["left", "right"][side], JOINTS[joint].0);
@@ -99,6 +108,7 @@ impl<'a> Series<'a> {
             time: motion.time(),
             weight: mass * motion.info.gravity.norm(),
             com,
+            sense,
             poses,
             places,
             posed: soled.len(),

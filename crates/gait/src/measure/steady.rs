@@ -15,7 +15,7 @@ const PLATE_THRESHOLD: f64 = 20.0;
 /// moments in N m/kg about the distal segment's axes.
 ///
 /// With the feature `serde` its keys are `span_s`, `step_length_m`, `speed_m_s`, `cadence_per_min`, `double_support_percent`,
-/// `stance_percent`, `plate_double_support_percent`, `plate_stance_percent` and `walk_ratio_m_min`; what bands ask about is written with them ([`super::BandReport`]).
+/// `stance_percent`, `plate_double_support_percent`, `plate_stance_percent`, `walk_ratio_m_min` and, where it is, `backward`; what bands ask about is written with them ([`super::BandReport`]).
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
 #[doc(alias = "gait cycle")]
@@ -23,6 +23,8 @@ const PLATE_THRESHOLD: f64 = 20.0;
 pub struct SteadyStride {
     /// When it begins and ends (s).
     pub span: (f64, f64),
+    /// Whether it goes backward: people's bands are of walking forward, and none is held against it.
+    pub backward: bool,
     /// Step length (m), speed (m/s) and cadence (steps/min).
     pub step_length: f64,
     pub speed: f64,
@@ -77,7 +79,7 @@ impl SteadyStride {
             let advance = |from: f64, to: f64, axis: usize| {
                 window.at(to, &|k| series.com[k][axis]) - window.at(from, &|k| series.com[k][axis])
             };
-            let whole = advance(start, end, 2);
+            let whole = series.sense * advance(start, end, 2);
             let halves = advance(middle, end, 2) - advance(start, middle, 2);
             alike && halves.abs() < UNEVEN * whole && advance(start, end, 0).abs() < UNEVEN * whole
         };
@@ -100,7 +102,7 @@ impl SteadyStride {
         let percent = 100.0 / series.weight;
         let left = &series.forces[0];
         let vertical = |i: usize| percent * left[i].y;
-        let along = |i: usize| percent * left[i].z;
+        let along = |i: usize| series.sense * percent * left[i].z;
         let total = |i: usize| percent * (left[i].y + series.forces[1][i].y);
         let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
         let (hip, knee, ankle) =
@@ -111,9 +113,11 @@ impl SteadyStride {
         let moment = |joint: usize, axis: usize, sign: f64| {
             window.most((0.0, 1.0), &|i| sign * series.moments[0][joint][i][axis])
         };
-        let advance = window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z);
+        let advance =
+            series.sense * (window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z));
         Self {
             span,
+            backward: series.sense < 0.0,
             step_length: advance / 2.0,
             speed: advance / stride,
             cadence: 120.0 / stride,
@@ -152,7 +156,7 @@ impl SteadyStride {
 impl serde::Serialize for SteadyStride {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        let mut stride = serializer.serialize_struct("SteadyStride", 9)?;
+        let mut stride = serializer.serialize_struct("SteadyStride", 9 + usize::from(self.backward))?;
         stride.serialize_field("span_s", &self.span)?;
         stride.serialize_field("step_length_m", &self.step_length)?;
         stride.serialize_field("speed_m_s", &self.speed)?;
@@ -162,6 +166,9 @@ impl serde::Serialize for SteadyStride {
         stride.serialize_field("plate_double_support_percent", &self.plate_double_support)?;
         stride.serialize_field("plate_stance_percent", &self.plate_stance)?;
         stride.serialize_field("walk_ratio_m_min", &self.walk_ratio())?;
+        if self.backward {
+            stride.serialize_field("backward", &true)?;
+        }
         stride.end()
     }
 }

@@ -3,6 +3,7 @@
 use super::pace::{DEFAULT_STEP_FREQUENCY, StepLaw, WALK_RATIO};
 use super::sheet::{CADENCE, STEP_LENGTH, StyleSheet};
 use crate::body::REFERENCE_HEIGHT;
+use crate::smooth::BACKWARD_STEP;
 
 /// Step length of people on a treadmill over height and step frequency (min): 0.0031 ± 0.0004.
 const TREADMILL_RATIO: f64 = 0.0031;
@@ -122,6 +123,12 @@ impl StepLaw {
             tempo,
             step_frequency: DEFAULT_STEP_FREQUENCY * tempo * slower * sheet.get(CADENCE).factor,
         }
+    }
+
+    /// The same where it goes backward.
+    #[must_use]
+    pub(crate) fn going(self, backward: bool) -> Self {
+        Self { ratio: if backward { BACKWARD_STEP * self.ratio } else { self.ratio }, ..self }
     }
 }
 

@@ -85,6 +85,9 @@ pub struct WalkRequest {
     pub ground: WalkGround,
     /// A way to walk along instead: it says how far, and nothing else may turn or follow. Up to 110 steps/min.
     pub path: Option<WalkPath>,
+    /// Whether it goes backward: straight on or in a bend of one pace, on level ground, a slope or stairs, which rise along the way that it
+    /// goes. Where no length is given its steps are shorter than forward.
+    pub backward: bool,
     /// Whether the left foot makes the first step; else the right one.
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
@@ -133,6 +136,7 @@ impl Default for WalkRequest {
             then: Vec::new(),
             ground: WalkGround::Level,
             path: None,
+            backward: false,
             left_first: false,
             parameters: Vec::new(),
             population: Population::default(),
@@ -159,4 +163,6 @@ pub struct WalkPart {
     pub speed: Option<f64>,
     /// By how much each step turns to the left (rad).
     pub turn: f64,
+    /// Whether it goes backward, which is begun in standing.
+    pub backward: bool,
 }

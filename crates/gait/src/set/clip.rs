@@ -62,7 +62,7 @@ pub struct SetClip {
     pub repeats: bool,
     /// Where it begins and ends.
     pub joints: [Joint; 2],
-    /// Steps a minute, and length of a step (m), of its walk; 0 in standing.
+    /// Steps a minute, and length of a step (m), of its walk, negative where it goes backward; 0 in standing.
     pub step_frequency: f64,
     /// See `step_frequency`.
     pub step_length: f64,
@@ -94,7 +94,7 @@ impl SetClip {
 
     pub(super) fn paced(&mut self, plan: &WalkPlan) {
         self.step_frequency = plan.style().step_frequency;
-        self.step_length = plan.style().step_length;
+        self.step_length = if plan.is_backward() { -1.0 } else { 1.0 } * plan.style().step_length;
     }
 
     /// How long it lasts (s).
@@ -102,7 +102,7 @@ impl SetClip {
         self.motion.time().last().copied().unwrap_or_default()
     }
 
-    /// Speed of its walk (m/s).
+    /// Speed of its walk (m/s), negative where it goes backward.
     pub fn speed(&self) -> f64 {
         self.step_length * self.step_frequency / 60.0
     }

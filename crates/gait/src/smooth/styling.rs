@@ -91,7 +91,7 @@ impl<'a> Styling<'a> {
         let WalkRequest { sheet, sides, variability, .. } =
             if part < 1.0 { request.in_part(part) } else { request.clone() };
         Self {
-            law: StepLaw::new(request.population, &sheet, body.height, body.mass),
+            law: StepLaw::new(request.population, &sheet, body.height, body.mass).going(request.backward),
             has_steady: true,
             population: request.population,
             sheet,

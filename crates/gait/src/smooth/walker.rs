@@ -4,6 +4,7 @@ use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
 use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
+use crate::smooth::backward::either_way;
 use crate::smooth::options;
 use crate::smooth::planner::Planner;
 use crate::smooth::route::Route;
@@ -49,6 +50,16 @@ pub(crate) fn walk_from(
     request: &WalkRequest,
 ) -> Result<WalkPlan, GaitError> {
     request.variability.map_or(Ok(()), Variability::check)?;
+    either_way(request, before, |request| forward_from(figure, body, before, request))
+}
+
+/// The same of a walk forward.
+fn forward_from(
+    figure: &Figure,
+    body: &Body,
+    before: Option<&WalkPlan>,
+    request: &WalkRequest,
+) -> Result<WalkPlan, GaitError> {
     let planner = Planner::after(figure, body, before);
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
         let error = match planner.planned(request, part) {
@@ -101,18 +112,20 @@ pub(crate) fn judged(
 ) -> Result<WalkPlan, GaitError> {
     request.variability.map_or(Ok(()), Variability::check)?;
     let planner = Planner::after(figure, body, before);
-    let planned = |part: f64| {
-        let route = planner.route(request, part)?;
-        if short && route.is_long() && route.is_level() {
-            return planner.planned_on(request, part, &route.shortened());
-        }
-        planner.planned(request, part)
-    };
-    let plan = match planned(1.0) {
-        Err(GaitError::Plan(_)) if request.deviates() && !whole => planned(0.0),
-        found => found,
-    }?;
-    Ok(if request.left_first { plan.mirrored() } else { plan })
+    either_way(request, before, |request| {
+        let planned = |part: f64| {
+            let route = planner.route(request, part)?;
+            if short && route.is_long() && route.is_level() {
+                return planner.planned_on(request, part, &route.shortened());
+            }
+            planner.planned(request, part)
+        };
+        let plan = match planned(1.0) {
+            Err(GaitError::Plan(_)) if request.deviates() && !whole => planned(0.0),
+            found => found,
+        }?;
+        Ok(if request.left_first { plan.mirrored() } else { plan })
+    })
 }
 
 /// Whether it has more steps than decide whether it holds, see [`judged`].
@@ -146,7 +159,9 @@ fn advise_on_ground(
         WalkGround::Slope(slope) => (1..=GENTLER.1).find_map(|k| {
             let gentler = slope.signum() * (slope.abs() - f64::from(k) * GENTLER.0).max(0.0);
             let tried = WalkRequest { ground: WalkGround::Slope(gentler), ..request.clone() };
-            holds(&tried).then(|| format!("the nearest slope that holds is {:.1}°", gentler.to_degrees()))
+            // Backward it rises the other way round.
+            let told = if request.backward { -gentler } else { gentler };
+            holds(&tried).then(|| format!("the nearest slope that holds is {:.1}°", told.to_degrees()))
         }),
         _ => None,
     };

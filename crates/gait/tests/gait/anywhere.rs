@@ -65,6 +65,15 @@ impl Asked {
         };
         Self { figure, height, request, over }
     }
+
+    /// The same backward; where that is not walked yet, without its path, its changes and its relief.
+    fn backward(number: u64) -> Self {
+        let asked = Self::of(number);
+        let level = matches!(asked.request.ground, WalkGround::Relief(_));
+        let ground = if level { WalkGround::Level } else { asked.request.ground.clone() };
+        let request = WalkRequest { backward: true, path: None, then: Vec::new(), ground, ..asked.request };
+        Self { request, ..asked }
+    }
 }
 
 /// A manner and a part of another.
@@ -295,7 +304,7 @@ fn kind(error: &GaitError) -> String {
 }
 
 /// So many requests, on all cores: what became of them by ground, and the faults of walks that were planned.
-fn walked(count: u64) -> (BTreeMap<&'static str, Count>, Vec<String>) {
+fn walked(count: u64, asked: impl Fn(u64) -> Asked + Sync) -> (BTreeMap<&'static str, Count>, Vec<String>) {
     let next = AtomicU64::new(0);
     let found = Mutex::new((BTreeMap::<&'static str, Count>::new(), Vec::new()));
     let worker = || {
@@ -304,7 +313,7 @@ fn walked(count: u64) -> (BTreeMap<&'static str, Count>, Vec<String>) {
             if number >= count {
                 return;
             }
-            let asked = Asked::of(number);
+            let asked = asked(number);
             let Asked { figure, height, request, over } = &asked;
             let outcome = walk_in_part(figure, request);
             let wrong = outcome.as_ref().map_or_else(
@@ -340,8 +349,8 @@ fn walked(count: u64) -> (BTreeMap<&'static str, Count>, Vec<String>) {
 }
 
 /// Prints what became of them, and holds what was walked against the laws.
-fn obey(count: u64) {
-    let (counts, faults) = walked(count);
+fn obey(count: u64, asked: impl Fn(u64) -> Asked + Sync) {
+    let (counts, faults) = walked(count, asked);
     for (over, count) in &counts {
         println!("{over}: {} asked, {} walked, {} in part", count.all(), count.whole, count.in_part);
         for (why, refused) in &count.refused {
@@ -356,7 +365,12 @@ fn obey(count: u64) {
 
 #[test]
 fn whatever_is_walked_obeys() {
-    obey(120);
+    obey(120, Asked::of);
+}
+
+#[test]
+fn whatever_is_walked_backward_obeys() {
+    obey(60, Asked::backward);
 }
 
 /// `cargo lab gaits --walks N`: N of them in place of 3000.
@@ -364,5 +378,7 @@ fn whatever_is_walked_obeys() {
 #[ignore = "long: cargo xtask nightly"]
 fn thousands_of_walks_obey() {
     let asked = std::env::var("SOLARIS_WALKS").ok().map(|n| n.parse().expect("SOLARIS_WALKS is a number"));
-    obey(asked.unwrap_or(3000));
+    let count = asked.unwrap_or(3000);
+    obey(count, Asked::of);
+    obey(count / 5, Asked::backward);
 }

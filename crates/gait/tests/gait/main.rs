@@ -3,6 +3,7 @@
 
 mod anywhere;
 mod asked;
+mod backward;
 mod changes;
 mod changes_random;
 mod comparison;

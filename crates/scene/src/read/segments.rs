@@ -10,7 +10,7 @@ use std::ops::Range;
 /// What parts of a walk have, and walks.
 const PART: [&str; 5] = ["steps", "step_frequency", "step_length", "speed", "turn"];
 /// What only walks have, besides their style.
-const WALK: [&str; 2] = ["distance", "then"];
+const WALK: [&str; 3] = ["distance", "then", "backward"];
 
 /// A segment, beside where it is written.
 type Written<'n, 'a> = (Fields<'n, 'a>, WalkSegment);
@@ -44,9 +44,11 @@ impl SceneReader<'_> {
 
     fn request(&mut self, fields: &Fields<'_, '_>) -> Option<WalkRequest> {
         let before = self.reader.count();
-        let WalkPart { steps, step_frequency, step_length, speed, turn } = self.part(fields);
+        let WalkPart { steps, step_frequency, step_length, speed, turn, .. } = self.part(fields);
         let distance = fields.get("distance").and_then(|node| self.reader.number(node, "distance"));
-        let mut request = WalkRequest { step_frequency, step_length, speed, turn, ..WalkRequest::default() };
+        let backward = fields.get("backward").and_then(|node| self.reader.flag(node)).unwrap_or_default();
+        let mut request =
+            WalkRequest { step_frequency, step_length, speed, turn, backward, ..WalkRequest::default() };
         if let (Some(_), Some(node)) = (fields.get("steps"), fields.get("distance")) {
             self.reader
                 .fault(node.span.clone(), "a walk has steps or a distance, not both; remove one of them");
@@ -89,7 +91,7 @@ impl SceneReader<'_> {
                 self.reader.fault(node.span.clone(), message);
             }
         }
-        WalkPart { steps, step_frequency, step_length, speed, turn }
+        WalkPart { steps, step_frequency, step_length, speed, turn, backward: false }
     }
 
     /// What comes next in a walk.

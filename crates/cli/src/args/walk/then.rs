@@ -16,7 +16,7 @@ pub(crate) struct Then {
 pub(crate) enum ThenError {
     #[error("'{item}' is no KEY=NUMBER; write it such as steps=4,step-frequency=95 or stand=2")]
     NotAPair { item: String },
-    #[error("there is no '{key}'{hint}; there are {}", KEYS.join(", "))]
+    #[error("there is no '{key}'{hint}; there are {} and {BACKWARD}", KEYS.join(", "))]
     UnknownKey { key: String, hint: String },
     #[error("{key}={value}: '{value}' is no number; between one KEY=NUMBER and the next stands a comma")]
     NotANumber { key: &'static str, value: String },
@@ -36,16 +36,24 @@ pub(crate) enum ThenError {
 
 const KEYS: [&str; 7] = ["steps", "distance", "stand", "step-frequency", "step-length", "speed", "turn"];
 
+/// Says which way it goes, and has no number.
+const BACKWARD: &str = "backward";
+
 /// `stand=2`, or `steps=4,step-frequency=95,turn=15`.
 pub(super) fn parse(text: &str) -> Result<Then, ThenError> {
     let mut values: [Option<(f64, &str)>; KEYS.len()] = [None; KEYS.len()];
     let items: Vec<&str> = text.split([',', ' ']).filter(|item| !item.is_empty()).collect();
+    let mut backward = false;
     for item in &items {
+        if *item == BACKWARD {
+            backward = true;
+            continue;
+        }
         let (key, value) = item.split_once('=').ok_or(ThenError::NotAPair { item: (*item).to_owned() })?;
         // As the option is called, too.
         let said = if key == "cadence" { "step-frequency" } else { key };
         let index = KEYS.iter().position(|known| *known == said).ok_or_else(|| {
-            let near = nearest(key, KEYS.into_iter());
+            let near = nearest(key, KEYS.into_iter().chain([BACKWARD]));
             let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
             ThenError::UnknownKey { key: key.to_owned(), hint }
         })?;
@@ -55,11 +63,15 @@ pub(super) fn parse(text: &str) -> Result<Then, ThenError> {
             return Err(ThenError::Twice { key });
         }
     }
-    let what = travel(values, &items)?;
+    let what = travel(values, backward, &items)?;
     Ok(Then { what, typed: text.to_owned() })
 }
 
-fn travel(values: [Option<(f64, &str)>; KEYS.len()], items: &[&str]) -> Result<Next, ThenError> {
+fn travel(
+    values: [Option<(f64, &str)>; KEYS.len()],
+    backward: bool,
+    items: &[&str],
+) -> Result<Next, ThenError> {
     let [steps, distance, stand, step_frequency, step_length, speed, turn] = values;
     if let Some((stand, _)) = stand {
         if items.len() == 1 {
@@ -75,6 +87,7 @@ fn travel(values: [Option<(f64, &str)>; KEYS.len()], items: &[&str]) -> Result<N
         step_length: value(step_length),
         speed: value(speed),
         turn: value(turn).unwrap_or_default().to_radians(),
+        backward,
     };
     match (steps, distance) {
         (Some((steps, _)), None) if steps.fract() == 0.0 && (1.0..=STEPS.1 as f64).contains(&steps) => {
@@ -99,6 +112,8 @@ mod tests {
         assert_eq!(said("cadence=95,steps=4"), said("steps=4 step-frequency=95"));
         let refused = [
             ("3", "'3' is no KEY=NUMBER; write it such as steps=4,step-frequency=95 or stand=2"),
+            ("stand=2,backward", "--then stand=2 --then backward"),
+            ("backward", "add steps=N, as in steps=4,backward"),
             ("step=3", "there is no 'step' (did you mean 'steps'?); there are"),
             ("steps=3;turn=20", "steps=3;turn=20: '3;turn=20' is no number; between one"),
             ("speed=nan,steps=2", "speed=nan: 'nan' is no number"),

@@ -101,7 +101,8 @@ fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
 fn turns(args: &WalkArgs) -> Option<(&'static str, String)> {
     let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
     let path = args.changes.path.as_ref().map(|path| ("path", path.display().to_string()));
-    turn.or(path)
+    let backward = args.changes.backward.then(|| ("backward", String::new()));
+    turn.or(path).or(backward)
 }
 
 /// Whose walk, and on which ground.

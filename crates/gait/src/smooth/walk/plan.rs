@@ -30,6 +30,9 @@ use solaris_profiles::UniformSpline;
 /// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1. Of a walk of more than 42 steps
 /// of one pace the middle stride is planned once and repeated; *nodes* are those that were planned. The *clock* counts strides:
 /// a step lasts half a stride, whatever its pace.
+///
+/// A walk backward is one forward in reversed time: postures, accelerations and forces are the same at the mirrored instant, so that it
+/// obeys the same laws. Its clock runs down.
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]
 pub struct WalkPlan {
@@ -47,6 +50,8 @@ pub struct WalkPlan {
     loops: Option<f64>,
     /// Whether all is mirrored, so that the left foot goes first.
     pub(super) left_first: bool,
+    /// Whether it is walked in reversed time.
+    pub(super) backward: bool,
     /// Where and which way it begins.
     from: Print,
     pub(super) feet: [Foot; 2],
@@ -146,6 +151,7 @@ impl WalkPlan {
             prints,
             repeat,
             left_first: false,
+            backward: false,
             from: Print::default(),
             feet,
             nodes,
@@ -157,6 +163,33 @@ impl WalkPlan {
     #[must_use]
     pub fn mirrored(self) -> Self {
         Self { left_first: !self.left_first, ..self }
+    }
+
+    /// The same in reversed time: it goes backward from where it would have come to, and begins where it would have begun, but over ground
+    /// that is not level, which stays where it is.
+    #[must_use]
+    pub(crate) fn reversed(self) -> Self {
+        let (place, heading) = self.destination();
+        let from = if self.is_level() {
+            let Print { place: begin, heading: faced, tilt } = self.from;
+            Print {
+                place: begin + turned(faced - heading, &(begin - place)),
+                heading: 2.0 * faced - heading,
+                tilt,
+            }
+        } else {
+            self.from
+        };
+        // The last print is that of both feet before the first step, and the first one that of both after the last.
+        let landed = &self.prints[..self.prints.len() - 1];
+        let far = landed[landed.len() - 1];
+        let prints = landed.iter().rev().map(|print| far - print).chain([far]).collect();
+        Self { backward: !self.backward, from, prints, ..self }
+    }
+
+    /// Whether it goes backward.
+    pub fn is_backward(&self) -> bool {
+        self.backward
     }
 
     /// The same walk from another place on, turned to the left of where it pointed (m, rad).
@@ -206,6 +239,7 @@ impl WalkPlan {
 
     /// The style of a step, which count from 1; 0 is that of the standing feet.
     pub fn style_of_step(&self, step: usize) -> &Style {
+        let step = if self.backward { (self.whole.steps + 1).saturating_sub(step) } else { step };
         // A little after the contact, where rounding does not decide which step it is.
         let (u, _) = self.repeat.fold(0.5 * step as f64 + 0.01);
         self.laws.style((2.0 * u) as usize)
@@ -233,6 +267,9 @@ impl WalkPlan {
 
     /// Where the walk ends and which way it points there, to the left of z (m, rad).
     pub fn destination(&self) -> (Vector3<f64>, f64) {
+        if self.backward {
+            return (self.from.place, self.from.heading);
+        }
         let last = self.whole.last();
         let turn = if self.left_first { -last.heading } else { last.heading };
         (self.seen_point(last.place), self.from.heading + turn)
@@ -275,12 +312,19 @@ impl WalkPlan {
 
     /// Time (s) of a clock.
     pub fn time(&self, clock: f64) -> f64 {
+        let time = self.forward_time(clock);
+        if self.backward { self.duration() - time } else { time }
+    }
+
+    /// Time (s) of a clock where the walk goes forward.
+    pub(super) fn forward_time(&self, clock: f64) -> f64 {
         let gaits = &self.laws.gaits;
         (self.tempo.time(clock) - self.tempo.time(self.whole.begin) + REST) * gaits.stride_time
     }
 
     /// Clock at a time (s).
     pub fn clock_at(&self, time: f64) -> f64 {
+        let time = if self.backward { self.duration() - time } else { time };
         let gaits = &self.laws.gaits;
         self.tempo.clock(time / gaits.stride_time + self.tempo.time(self.whole.begin) - REST)
     }
@@ -382,14 +426,16 @@ impl WalkPlan {
         let (body, style) = (&self.body, self.style());
         // A left contact, or a right one where all is mirrored.
         let contact = self.loops.filter(|_| self.from.heading == 0.0)?;
+        // Of one backward, where the foot would have lifted.
+        let (contact, way) = if self.backward { (contact + style.toe_off(), -2.0) } else { (contact, 2.0) };
         let nq = body.nq;
         let span = (self.time(contact), style.stride_time);
-        Some(StrideLoop::new(self, nq, body.root + 2, span, 2.0 * style.step_length))
+        Some(StrideLoop::new(self, nq, body.root + 2, span, way * style.step_length))
     }
 
     /// The style in which it ends.
     pub(crate) fn last_style(&self) -> &Style {
-        self.laws.style(self.laws.course.steps)
+        self.laws.style(if self.backward { 0 } else { self.laws.course.steps })
     }
 
     /// The clock, or one at rest before or after the walk.
@@ -400,7 +446,7 @@ impl WalkPlan {
 
 impl Trajectory for WalkPlan {
     fn duration(&self) -> f64 {
-        self.time(self.whole.end + REST)
+        self.forward_time(self.whole.end + REST)
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {

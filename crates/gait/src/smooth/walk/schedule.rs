@@ -51,13 +51,16 @@ impl WalkPlan {
             for j in 0..self.whole.episode_count(side) {
                 let episode = self.whole.episode(side, j);
                 let link = link.to_owned();
+                let (lands, lifts) =
+                    (EventKind::TouchDown { link: link.clone() }, EventKind::LiftOff { link });
+                // In reversed time a foot lifts as it would have landed.
+                let (lands, lifts) = if self.backward { (lifts, lands) } else { (lands, lifts) };
                 if episode.kind != Kind::First {
-                    let kind = EventKind::TouchDown { link: link.clone() };
-                    events.push(Event { time: self.time(episode.contact), kind });
+                    events.push(Event { time: self.time(episode.contact), kind: lands });
                 }
                 if matches!(episode.kind, Kind::First | Kind::Step) {
                     let time = self.time(episode.contact + self.law(&episode).toe_off());
-                    events.push(Event { time, kind: EventKind::LiftOff { link } });
+                    events.push(Event { time, kind: lifts });
                 }
             }
         }
@@ -74,7 +77,7 @@ impl WalkPlan {
                 let episode = self.whole.episode(side, j);
                 let stance = &self.feet[side].stances[self.planned_print(&episode)];
                 let style = self.law(&episode);
-                let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
+                let clock = |v: f64| self.forward_time(episode.contact + v).clamp(0.0, end);
                 let pushes = matches!(episode.kind, Kind::First | Kind::Step);
                 let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
                 let flat =
@@ -89,6 +92,11 @@ impl WalkPlan {
                     toe_off: last(style.toe_off()),
                 };
                 planted.extend(stood.planted(figure, self.seen_side(side)));
+            }
+        }
+        if self.backward {
+            for interval in &mut planted {
+                (interval.start, interval.end) = (end - interval.end, end - interval.start);
             }
         }
         planted.sort_by(|a, b| a.start.total_cmp(&b.start));
