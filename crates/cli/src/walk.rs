@@ -126,6 +126,7 @@ fn person_with(person: &PersonArgs, root: RootOrder) -> Result<Figure, CliError>
         Some(age) => human.age(age.value),
         None => human,
     };
+    let human = person.loads.iter().fold(human, |human, (side, load)| human.load(side.clone(), *load));
     human.build().map_err(|error| CliError::of_human(error, person))
 }
 

@@ -6,6 +6,7 @@ mod footfall;
 mod laid;
 pub(crate) mod laws;
 mod legs;
+mod lopsided;
 mod manner;
 mod options;
 mod parameter;

@@ -2,6 +2,7 @@
 
 use super::given::FILES;
 use super::value::{count, number};
+use super::walk::parse_load;
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
@@ -71,6 +72,10 @@ pub(crate) struct HumanArgs {
         "Age in years, from 6 on: a child's proportions; from 18 on an adult's [default: an adult]"
     ))]
     pub(crate) age: Option<Number>,
+    #[arg(long = "load", value_name = "SIDE=KG", value_parser = parse_load, help = wrap(
+        "What a hand carries: right=5, a point mass in the fist; several are allowed [default: nothing]"
+    ))]
+    pub(crate) loads: Vec<(String, f64)>,
     #[arg(long, help = wrap(
         "Let the root turn by its heading first (about y, z, x) in place of z, y, x: for walks that turn by more than 75° in all"
     ))]

@@ -11,7 +11,7 @@ pub(crate) use terrain::TerrainArgs;
 pub(crate) use then::Then;
 
 use super::parameters::StyleArgs;
-use super::value::{Number, count, within};
+use super::value::{Number, count, number, within};
 use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, RigArgs, wrap};
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
@@ -116,6 +116,17 @@ pub(crate) struct PersonArgs {
         "Age in years, from 6 on: a child's proportions; from 18 on an adult's [default: an adult]"
     ))]
     pub(crate) age: Option<Number>,
+    #[arg(long = "load", value_name = "SIDE=KG", value_parser = parse_load, help = wrap(
+        "What a hand carries: right=5, a point mass in the fist of up to 0.3 of the body mass; the trunk leans away and that arm swings less; \
+         several are allowed [default: nothing]"
+    ))]
+    pub(crate) loads: Vec<(String, f64)>,
+}
+
+/// A hand and what it carries (kg).
+pub(super) fn parse_load(text: &str) -> Result<(String, f64), String> {
+    let (side, load) = text.split_once('=').ok_or("it must be SIDE=KG, such as right=5")?;
+    Ok((side.trim().to_owned(), number(load.trim()).map_err(|why| format!("the load: {why}"))?))
 }
 
 /// Step frequency, step length and speed, of which two decide the third.

@@ -21,12 +21,19 @@ pub(crate) struct ArmCarriage {
     pub(crate) clavicle: f64,
     /// How far the hand swings on, as a part of the elbow's angle.
     pub(crate) wrist: f64,
+    /// By how much the thorax leans to the right (rad): both arms hang as if it did not.
+    pub(crate) lean: f64,
 }
 
 impl ArmCarriage {
     /// Of people who walk: 6° outward.
-    pub(crate) const WALKING: Self =
-        Self { abduction: 6.0 * std::f64::consts::PI / 180.0, inward: 0.0, clavicle: 0.0, wrist: 0.0 };
+    pub(crate) const WALKING: Self = Self {
+        abduction: 6.0 * std::f64::consts::PI / 180.0,
+        inward: 0.0,
+        clavicle: 0.0,
+        wrist: 0.0,
+        lean: 0.0,
+    };
 
     /// Angle of a clavicle about the vertical against the thorax, forward with the arm.
     pub(crate) fn girdle(&self, side: usize, shoulder: f64) -> f64 {
@@ -56,7 +63,7 @@ impl ArmCarriage {
 
     fn sided(&self, side: usize) -> [f64; 2] {
         let sign = if side == 0 { 1.0 } else { -1.0 };
-        [sign * self.abduction, sign * self.inward]
+        [sign * self.abduction - self.lean, sign * self.inward]
     }
 }
 
@@ -80,6 +87,7 @@ impl Posture {
             pelvis: mirror(&self.pelvis),
             trunk: self.trunk.map(|[z, y, x]| [-z, -y, x]),
             arms: [right_arm, left_arm],
+            carriage: ArmCarriage { lean: -self.carriage.lean, ..self.carriage },
             legs: [right_leg, left_leg],
             heading: -self.heading,
             feet: [-self.feet[1], -self.feet[0]],

@@ -82,6 +82,18 @@ impl Body {
         })
     }
 
+    /// Its mirror image: each limb has the masses of the other one, and moves the coordinates that it did.
+    pub(crate) fn mirrored(&self) -> Self {
+        let swapped = |[left, right]: &[[Segment; 4]; 2]| {
+            let of = |own: &[Segment; 4], other: &[Segment; 4]| {
+                std::array::from_fn(|i| Segment { q: own[i].q, ..other[i].mirrored() })
+            };
+            [of(left, right), of(right, left)]
+        };
+        let (arms, legs) = (swapped(&self.arms), swapped(&self.legs));
+        Self { middle: self.middle.map(Segment::mirrored), arms, legs, ..self.clone() }
+    }
+
     /// Factor of the recipe's lengths.
     pub(crate) fn scale(&self) -> f64 {
         self.height / REFERENCE_HEIGHT

@@ -60,6 +60,17 @@ impl UpperBody {
     }
 }
 
+/// First moment of trunk, head and arms to the left of the pelvis' origin (kg m).
+pub(crate) fn beside(
+    body: &Body,
+    trunk: &[rotations::Euler; 5],
+    arms: &[[f64; 2]; 2],
+    carriage: ArmCarriage,
+) -> f64 {
+    let segments = body.middle.iter().chain(body.arms.iter().flatten());
+    segments.zip(posture(body, trunk, arms, carriage)).map(|(segment, (_, com))| segment.mass * com.x).sum()
+}
+
 /// Rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin, facing along z.
 fn posture(
     body: &Body,

@@ -18,7 +18,13 @@ const HEAD: Euler = [0.1, 0.1, 0.15];
 
 /// How a runner's arms hang.
 pub(super) fn carriage(style: &RunStyle) -> ArmCarriage {
-    ArmCarriage { abduction: style.arm_abduction, inward: style.arm_inward, clavicle: 0.0, wrist: 0.0 }
+    ArmCarriage {
+        abduction: style.arm_abduction,
+        inward: style.arm_inward,
+        clavicle: 0.0,
+        wrist: 0.0,
+        lean: 0.0,
+    }
 }
 
 /// World orientation of the pelvis.

@@ -116,7 +116,8 @@ pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
         style.anterior_tilt + swings.pelvis * TILT_SWING.0 * cos(2.0 * (u - TILT_SWING.1)),
     ];
     let thorax = [
-        -swings.thorax * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),
+        -swings.thorax * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u))
+            + style.manner.side_lean,
         swings.thorax * style.thorax_yaw * cos(u - style.thorax_yaw_phase),
         style.thorax_lean,
     ];

@@ -30,6 +30,8 @@ pub struct Manner {
     pub arms_in: f64,
     /// How far left and right arm swing over the style's amplitude.
     pub arm_sides: [f64; 2],
+    /// Lean of the thorax to the right, away from a load on the left.
+    pub side_lean: f64,
 }
 
 impl Manner {
@@ -46,6 +48,7 @@ impl Manner {
         arms_out: ArmCarriage::WALKING.abduction,
         arms_in: 0.0,
         arm_sides: [1.0; 2],
+        side_lean: 0.0,
     };
 
     /// Of people at this speed (m/s): the faster they walk, the more their elbows bend and swing.
@@ -66,21 +69,21 @@ impl Manner {
     }
 
     pub(crate) fn carriage(&self) -> ArmCarriage {
-        let Self { clavicle, wrist, arms_out: abduction, arms_in: inward, .. } = *self;
-        ArmCarriage { abduction, inward, clavicle, wrist }
+        let Self { clavicle, wrist, arms_out: abduction, arms_in: inward, side_lean: lean, .. } = *self;
+        ArmCarriage { abduction, inward, clavicle, wrist, lean }
     }
 
     /// This, with arms, head and what else shows in standing as another one has them.
     pub(super) fn standing_as(self, other: &Self) -> Self {
-        let Self { head_pitch, shoulder, arms_out, arms_in, elbow: [standing, ..], .. } = *other;
+        let Self { head_pitch, shoulder, arms_out, arms_in, side_lean, elbow: [standing, ..], .. } = *other;
         let elbow = [standing, self.elbow[1], self.elbow[2]];
-        Self { elbow, head_pitch, shoulder, arms_out, arms_in, ..self }
+        Self { elbow, head_pitch, shoulder, arms_out, arms_in, side_lean, ..self }
     }
 
     /// Of a walk whose left is right.
     pub(super) fn mirrored(self) -> Self {
         let [left, right] = self.arm_sides;
-        Self { arm_sides: [right, left], ..self }
+        Self { arm_sides: [right, left], side_lean: -self.side_lean, ..self }
     }
 
     /// Its numbers with their names.
@@ -103,6 +106,7 @@ impl Manner {
             ("arms_out", self.arms_out),
             ("arms_in", self.arms_in),
             ("arm_sides", self.arm_sides[0] + self.arm_sides[1]),
+            ("side_lean", self.side_lean),
         ]
         .into_iter()
     }

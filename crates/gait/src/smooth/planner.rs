@@ -3,6 +3,7 @@
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::request::{Extent, WalkGround, WalkRequest};
+use crate::smooth::lopsided::is_lopsided;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
@@ -115,13 +116,18 @@ impl<'a> Planner<'a> {
         let has_steady = has_steady && route.is_level();
         let check = PlanCheck { figure: self.figure, route, nearest, deviates, tempo, has_steady };
         check.check(&plan)?;
+        // A body that is heavier on one side is judged as it walks.
+        let sided = |plan: WalkPlan| {
+            if request.left_first && is_lopsided(self.body) { plan.mirrored() } else { plan }
+        };
+        let plan = sided(plan);
         if deviates || !route.is_even() || !route.is_level() {
             check.check_motion(&plan)?;
         } else if !request.parameters.is_empty() {
             // A few of many steps decide.
-            let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
+            let short = if route.is_long() { Some(sided(planned(&route.shortened())?)) } else { None };
             check.check_motion(short.as_ref().unwrap_or(&plan))?;
         }
-        Ok(plan)
+        Ok(sided(plan))
     }
 }

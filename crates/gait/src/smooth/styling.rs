@@ -1,5 +1,6 @@
 //! From paces to styles: whose they are, how heavy a body is, in which manner it walks, and how its steps differ.
 
+use super::lopsided;
 use super::sheet_numbers::{self, stand_longer};
 use crate::body::{Body, REFERENCE_HEIGHT};
 use crate::error::RequestError;
@@ -83,6 +84,8 @@ pub(crate) struct Styling<'a> {
     sides: [StyleSheet; 2],
     parameters: &'a [(&'static str, f64)],
     variability: Option<Variability>,
+    /// Whether the body is heavier on one side.
+    is_lopsided: bool,
 }
 
 impl<'a> Styling<'a> {
@@ -98,12 +101,13 @@ impl<'a> Styling<'a> {
             sides,
             parameters: &request.parameters,
             variability: variability.filter(|v| v.scale > 0.0),
+            is_lopsided: lopsided::is_lopsided(body),
         }
     }
 
     /// Whether it is more than the style of adults at a pace: another population, a manner, or steps that differ.
     pub(crate) fn deviates(&self) -> bool {
-        self.population != Population::Adult || !self.sheet.is_empty() || self.is_uneven()
+        self.population != Population::Adult || !self.sheet.is_empty() || self.is_uneven() || self.is_lopsided
     }
 
     /// Whether steps differ.
@@ -147,6 +151,7 @@ impl<'a> Styling<'a> {
             })?;
             parameter.set(&mut style, *value)?;
         }
+        lopsided::balance(&mut style, body);
         if style.flexion > 0.0 {
             // The foot is flat until the hip has passed it.
             style.heel_off = style.heel_off.max(PASSED);
@@ -205,10 +210,14 @@ impl<'a> Styling<'a> {
             style.step_width = width.clamp(WIDTHS.0 * body.height, WIDTHS.1 * body.height);
             style.arm_swing *= 1.0 + by(4, STEPS.arms);
             let arms = [0, 1].map(|side| self.sides[side].get(ARM_SWING).factor.max(0.0));
+            // A body that is lopsided is mirrored itself.
+            let balanced = style.manner;
             style.manner.arm_sides = [(1.0 + arm_side) * arms[0], (1.0 - arm_side) * arms[1]];
             if mirrored {
-                style.manner = style.manner.mirrored();
+                style.manner = Manner { side_lean: balanced.side_lean, ..style.manner.mirrored() };
             }
+            style.manner.arm_sides =
+                std::array::from_fn(|side| style.manner.arm_sides[side] * balanced.arm_sides[side]);
             let thorax = 1.0 + by(5, STEPS.thorax);
             style.thorax_yaw *= thorax;
             style.thorax_bend_sin *= thorax;

@@ -5,12 +5,14 @@ use crate::body::missing;
 use crate::error::{GaitError, PlanError};
 use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
 use crate::smooth::backward::either_way;
+use crate::smooth::lopsided::is_lopsided;
 use crate::smooth::options;
 use crate::smooth::planner::Planner;
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
+use std::borrow::Cow;
 
 /// Plans a walk, from standing to standing.
 ///
@@ -60,6 +62,7 @@ fn forward_from(
     before: Option<&WalkPlan>,
     request: &WalkRequest,
 ) -> Result<WalkPlan, GaitError> {
+    let body = &as_planned(body, request);
     let planner = Planner::after(figure, body, before);
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
         let error = match planner.planned(request, part) {
@@ -101,6 +104,11 @@ fn forward_from(
     Ok(if request.left_first { plan.mirrored() } else { plan })
 }
 
+/// The body as a walk is planned, right foot first: of one that is heavier on one side the mirror image, where the left foot goes first.
+fn as_planned<'a>(body: &'a Body, request: &WalkRequest) -> Cow<'a, Body> {
+    if request.left_first && is_lopsided(body) { Cow::Owned(body.mirrored()) } else { Cow::Borrowed(body) }
+}
+
 /// Plans a walk after another one, as [`walk_from`] does but for the advice, which takes many plans: as much of its manner as holds, or all of it, or
 /// nothing, where it is to be `whole`; where it is `short`, of many steps of one pace some that decide.
 pub(crate) fn judged(
@@ -111,8 +119,9 @@ pub(crate) fn judged(
     (whole, short): (bool, bool),
 ) -> Result<WalkPlan, GaitError> {
     request.variability.map_or(Ok(()), Variability::check)?;
-    let planner = Planner::after(figure, body, before);
     either_way(request, before, |request| {
+        let body = &as_planned(body, request);
+        let planner = Planner::after(figure, body, before);
         let planned = |part: f64| {
             let route = planner.route(request, part)?;
             if short && route.is_long() && route.is_level() {

@@ -13,7 +13,10 @@ use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::{Joint, Passive};
 use crate::link::SolePart;
 use crate::scale::exact_total;
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+
+/// Where a hand holds a load, below its wrist (m of the table).
+const FIST: f64 = 0.090;
 
 /// Factor of the lengths of the table at this height.
 pub(super) fn scale(height: f64) -> f64 {
@@ -32,6 +35,8 @@ pub(super) struct Body<'a> {
     pub(super) share: &'a dyn Fn(&str) -> f64,
     /// A segment's length relative to the table at this height, by its names with and without the side.
     pub(super) factor: &'a dyn Fn(&str, &str) -> f64,
+    /// What the hand of a side, `left_` or `right_`, carries (kg).
+    pub(super) load: &'a dyn Fn(&str) -> f64,
     /// Limits (rad) in place of the table's, by the name of a degree of freedom.
     pub(super) limits: &'a dyn Fn(&str) -> Option<[f64; 2]>,
 }
@@ -84,6 +89,25 @@ fn is_quaternion(joint: &str) -> bool {
     matches!(joint, "root" | "shoulder")
 }
 
+/// Mass, centre of mass and inertia about it of a body with a point mass: with `d` from the common centre to each,
+/// `I + Σ m (d² 1 − d dᵀ)`.
+fn with_point(
+    (mass, com, inertia): (f64, Vector3<f64>, Matrix3<f64>),
+    load: f64,
+    at: Vector3<f64>,
+) -> (f64, Vector3<f64>, Matrix3<f64>) {
+    if load == 0.0 {
+        return (mass, com, inertia);
+    }
+    let all = mass + load;
+    let centre = (com * mass + at * load) / all;
+    let about = |mass: f64, at: Vector3<f64>| {
+        let d = at - centre;
+        (Matrix3::identity() * d.norm_squared() - d * d.transpose()) * mass
+    };
+    (all, centre, inertia + about(mass, com) + about(load, at))
+}
+
 /// One side of the body; the middle has no prefix.
 struct Side<'a> {
     prefix: &'static str,
@@ -123,11 +147,11 @@ impl Side<'_> {
             Some(parent) => LinkSpec::child(name, self.name(parent), joint),
             None => LinkSpec::root(name, joint),
         };
-        link = link
-            .mass(mass)
-            .com(self.vector(segment.com) * own)
-            .inertia(Inertia::diagonal(moments[0], moments[1], moments[2]))
-            .shape(self.shape(segment, own, mass));
+        let load = if segment.name == "hand" { (self.body.load)(self.prefix) } else { 0.0 };
+        let (com, inertia) = (self.vector(segment.com) * own, Matrix3::from_diagonal(&moments.into()));
+        let (all, com, inertia) = with_point((mass, com, inertia), load, Vector3::y() * (-FIST * own));
+        link =
+            link.mass(all).com(com).inertia(Inertia::Tensor(inertia)).shape(self.shape(segment, own, mass));
         let toes_at = SEGMENTS[SEGMENTS.len() - 1].offset;
         match segment.name {
             "foot" => {

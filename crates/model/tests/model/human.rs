@@ -347,3 +347,28 @@ fn the_ends_of_the_ranges_are_allowed() {
         }
     }
 }
+
+#[test]
+fn a_load_in_a_hand_is_a_point_mass_in_the_fist() {
+    let (empty, porter) = (
+        human(1.741, 73.0).expect("a person"),
+        Human::new(1.741, 73.0).load("right", 5.0).build().expect("a porter"),
+    );
+    let hand = |figure: &Figure, name: &str| figure.link(name).expect("a hand").clone();
+    assert_eq!(hand(&empty, "left_hand"), hand(&porter, "left_hand"));
+    let (own, both) = (hand(&empty, "right_hand"), hand(&porter, "right_hand"));
+    assert!((both.mass() - own.mass() - 5.0).abs() < 1e-12);
+    // Moments about the wrist are those of the hand and of the point.
+    let at = nalgebra::Vector3::new(0.0, -0.090, 0.0);
+    assert!((both.com() * both.mass() - own.com() * own.mass() - at * 5.0).norm() < 1e-12);
+    let about_wrist = |mass: f64, com: nalgebra::Vector3<f64>, inertia: nalgebra::Matrix3<f64>| {
+        inertia + (nalgebra::Matrix3::identity() * com.norm_squared() - com * com.transpose()) * mass
+    };
+    let of = |link: &solaris_model::Link| about_wrist(link.mass(), *link.com(), *link.inertia());
+    let point = about_wrist(5.0, at, nalgebra::Matrix3::zeros());
+    assert!((of(&both) - of(&own) - point).norm() < 1e-12);
+    for (hand, load) in [("rigth", 1.0), ("left", -1.0), ("left", 22.0), ("right", f64::NAN)] {
+        let error = Human::new(1.741, 73.0).load(hand, load).build().expect_err("refused").to_string();
+        assert!(error.contains("can carry 0 to 21.9 kg in a hand, left or right"), "{error}");
+    }
+}
