@@ -8,6 +8,7 @@ mod golden;
 mod instructions;
 mod layers;
 mod nightly;
+mod release;
 mod studio;
 mod workspace;
 
@@ -26,6 +27,9 @@ cargo xtask CHORE
                                     skipped where there is no valgrind
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff, and fuzz: about an hour
+  release [--only STEP] [--final]   a dry run of everything that a release is, step by step, a quarter of an hour: versions, changelog, compiler,
+                                    manifests, packages, licences, advisories, bill of materials, interface, the packages built, oldest
+                                    versions, features; --final: asks what only the release itself must have
   studio [--quick]                  builds the studio, one page with the engine in it, which programs hold that are compiled afterwards;
                                     needs Node.js; --quick: not made small
   help                              this list
@@ -54,6 +58,9 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::run(),
         ["nightly"] => nightly::run(),
+        ["release", ref options @ ..] => {
+            release::Options::parse(options).and_then(|options| release::run(&options))
+        }
         ["studio", ref options @ ..] => studio::run(options),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
