@@ -6,6 +6,7 @@ mod features;
 mod licences;
 mod minimal;
 mod packages;
+mod readme;
 mod state;
 mod versions;
 

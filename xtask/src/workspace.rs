@@ -21,7 +21,6 @@ pub(crate) struct Package {
     pub(crate) rust_version: Option<String>,
     pub(crate) description: Option<String>,
     pub(crate) license: Option<String>,
-    pub(crate) readme: Option<PathBuf>,
     pub(crate) repository: Option<String>,
     pub(crate) keywords: Vec<String>,
     pub(crate) categories: Vec<String>,

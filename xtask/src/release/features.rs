@@ -12,7 +12,7 @@ type Features = BTreeMap<String, Vec<String>>;
 ///
 /// A pair finds what two features break together. More of them would take hours: the facade alone has thousands of sets.
 pub(super) fn check(state: &State) -> Result<Done, String> {
-    let mut count = 0;
+    let (mut count, mut failed) = (0, Vec::new());
     for package in state.metadata.packages.iter().filter(|package| package.name.starts_with("solaris")) {
         for set in sets(&package.features) {
             let mut command = cargo();
@@ -20,10 +20,16 @@ pub(super) fn check(state: &State) -> Result<Done, String> {
             command.args(["check", "--quiet", "--package", &package.name, "--no-default-features"]);
             command.args(["--features", &set.join(",")]);
             command.env("RUSTFLAGS", "-Dwarnings");
-            listened(&mut command)
-                .map_err(|why| format!("{} with the features [{}]:\n{why}", package.name, set.join(", ")))?;
+            let set = format!("{} with the features [{}]", package.name, set.join(", "));
             count += 1;
+            if let Err(why) = listened(&mut command) {
+                println!("      {set} fails");
+                failed.push(format!("{set}:\n{why}"));
+            }
         }
+    }
+    if !failed.is_empty() {
+        return Err(format!("{} of {count} sets of features\n{}", failed.len(), failed.join("\n")));
     }
     Ok(Done::Holds(format!("{count} sets of features compile without a warning")))
 }

@@ -18,7 +18,7 @@ pub(super) fn check(state: &State) -> Result<Done, String> {
     listened(outside(&folder).args(["+nightly", "update", "--quiet", "-Z", "direct-minimal-versions"]))?;
     let mut command = cargo();
     command.current_dir(&folder).env("CARGO_TARGET_DIR", built_in(state));
-    command.args(["check", "--workspace", "--quiet", "--locked"]);
+    command.args(["check", "--workspace", "--quiet", "--locked", "--keep-going"]);
     // What only measures or runs chores is not published.
     listened(command.args(["--exclude", "solaris-lab", "--exclude", "xtask"]))?;
     Ok(Done::Holds("all compiles with the oldest versions that its manifests allow".to_owned()))

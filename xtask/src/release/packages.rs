@@ -1,7 +1,7 @@
 //! Packages: what the manifests must say, what each package holds, and that it is enough to compile them.
 
-use super::Done;
 use super::state::{State, listened, text};
+use super::{Done, readme};
 use crate::workspace::{cargo, root};
 use std::fmt::Write as _;
 use std::fs;
@@ -36,9 +36,7 @@ pub(super) fn manifests(state: &State) -> Result<Done, String> {
         if package.categories.is_empty() {
             fault("no categories");
         }
-        if package.readme.is_none() {
-            fault("no README.md");
-        }
+        readme::faults(package).iter().for_each(|lacking| fault(lacking));
         without_place += usize::from(package.repository.is_none());
         let folder = package.manifest_path.parent().unwrap_or(Path::new("."));
         for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
