@@ -13,7 +13,8 @@ pub(crate) struct Metadata {
 }
 
 /// A crate of the workspace.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct Package {
     pub(crate) name: String,
     pub(crate) version: String,
@@ -31,7 +32,8 @@ pub(crate) struct Package {
 }
 
 /// A line of a manifest's dependencies.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct Dependency {
     /// The package's own name, whatever it is renamed to.
     pub(crate) name: String,
