@@ -8,6 +8,8 @@ mod golden;
 mod instructions;
 mod layers;
 mod nightly;
+mod numbers;
+mod release;
 mod studio;
 mod workspace;
 
@@ -26,6 +28,11 @@ cargo xtask CHORE
                                     skipped where there is no valgrind
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff, and fuzz: about an hour
+  numbers [--all] [--bless DAY]     makes the numbers that pages state again, by docs/numbers.md, and fails where one is stale; --all: those that
+                                    take minutes, too; --bless: writes the day into the rows that hold
+  release [--only STEP] [--final]   a dry run of everything that a release is, step by step: versions, changelog, compiler,
+                                    manifests, packages, licences, advisories, bill of materials, interface, the packages built, oldest
+                                    versions, features; --final: asks what only the release itself must have
   studio [--quick]                  builds the studio, one page with the engine in it, which programs hold that are compiled afterwards;
                                     needs Node.js; --quick: not made small
   help                              this list
@@ -54,6 +61,12 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::run(),
         ["nightly"] => nightly::run(),
+        ["numbers", ref options @ ..] => {
+            numbers::Options::parse(options).and_then(|options| numbers::run(&options))
+        }
+        ["release", ref options @ ..] => {
+            release::Options::parse(options).and_then(|options| release::run(&options))
+        }
         ["studio", ref options @ ..] => studio::run(options),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");

@@ -1,6 +1,7 @@
 //! The workspace: where it is, what it holds, running cargo in it.
 
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -12,20 +13,37 @@ pub(crate) struct Metadata {
 }
 
 /// A crate of the workspace.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct Package {
     pub(crate) name: String,
+    pub(crate) version: String,
     pub(crate) manifest_path: PathBuf,
+    pub(crate) rust_version: Option<String>,
+    pub(crate) description: Option<String>,
+    pub(crate) license: Option<String>,
+    pub(crate) repository: Option<String>,
+    pub(crate) keywords: Vec<String>,
+    pub(crate) categories: Vec<String>,
+    /// Where it may be published: `None` for anywhere, empty for nowhere.
+    pub(crate) publish: Option<Vec<String>>,
+    pub(crate) features: BTreeMap<String, Vec<String>>,
     pub(crate) dependencies: Vec<Dependency>,
 }
 
 /// A line of a manifest's dependencies.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct Dependency {
     /// The package's own name, whatever it is renamed to.
     pub(crate) name: String,
     /// `None` for a normal one, `dev`, `build`.
     pub(crate) kind: Option<String>,
+    /// The versions that will do.
+    #[serde(rename = "req")]
+    pub(crate) requirement: String,
+    /// Where it stands, if in the workspace.
+    pub(crate) path: Option<PathBuf>,
 }
 
 /// The workspace's folder.

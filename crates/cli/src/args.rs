@@ -11,6 +11,7 @@ mod markers;
 mod metrics;
 mod parameters;
 mod profile;
+mod program;
 mod report;
 mod retarget;
 mod rig;
@@ -37,6 +38,7 @@ pub(crate) use profile::{
     BlendArgs, CurveArgs, KeySource, KindArgs, KindCommand, ListArgs, ProfileCommand, ReadArgs, amplitude,
     example, option,
 };
+pub(crate) use program::{CompletionsArgs, DoctorArgs, ManArgs};
 pub(crate) use report::ReportArgs;
 pub(crate) use retarget::RetargetArgs;
 pub(crate) use rig::{AskedRig, RigArgs};
@@ -109,6 +111,9 @@ pub(crate) enum Command {
     Profile(Box<ProfileCommand>),
     Report(ReportArgs),
     Studio(StudioArgs),
+    Doctor(DoctorArgs),
+    Completions(CompletionsArgs),
+    Man(ManArgs),
 }
 
 /// The words of the command among those that were typed: `profile blend`.

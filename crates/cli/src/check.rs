@@ -3,6 +3,8 @@
 mod markers;
 mod scene;
 
+pub(crate) use scene::is_one as is_scene;
+
 use crate::args::CheckArgs;
 use crate::error::CliError;
 use crate::findings::{heading, list, of_medium};

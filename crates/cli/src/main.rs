@@ -8,6 +8,7 @@ mod check;
 mod convert;
 mod crowd;
 mod cycles;
+mod doctor;
 mod error;
 mod figure;
 mod findings;
@@ -18,6 +19,7 @@ mod ik;
 mod input;
 mod inverse;
 mod limbs;
+mod manual;
 mod markers;
 mod metrics;
 mod output;
@@ -78,5 +80,8 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Profile(command) => profile::run(command),
         Command::Report(args) => report::run(args),
         Command::Studio(args) => studio::run(args),
+        Command::Doctor(args) => doctor::run(args),
+        Command::Completions(args) => manual::completions(args),
+        Command::Man(args) => manual::man(args),
     }
 }

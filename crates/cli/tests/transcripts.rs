@@ -169,5 +169,7 @@ fn transcripts_hold() {
     let cases = trycmd::TestCases::new();
     cases.register_bin("solaris", Path::new(env!("CARGO_BIN_EXE_solaris")));
     cases.case(transcripts.join("*.trycmd"));
+    // What the package shows of the program.
+    cases.case(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
     cases.run();
 }

@@ -1,5 +1,3 @@
-//! Figures and motions to and from the formats that people use.
-#![doc = ""]
 #![doc = include_str!("../README.md")]
 
 pub mod bvh;

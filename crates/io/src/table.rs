@@ -27,6 +27,7 @@ pub(crate) fn bare(name: &str) -> &str {
 }
 
 /// Refuses a name that would not be read from a line of a table in `format` as it is written.
+#[cfg(any(feature = "c3d", feature = "csv", feature = "trc"))]
 pub(crate) fn check_name(name: &str, format: &'static str) -> Result<(), IoError> {
     if bare(name) != name || name.contains(['\n', '\r']) {
         return Err(IoError::Heading { name: name.to_owned(), format });

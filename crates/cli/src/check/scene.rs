@@ -17,7 +17,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// Whether a file is meant to be a scene. What cannot be read is said by whoever reads it as a figure.
-pub(super) fn is_one(path: &Path) -> bool {
+pub(crate) fn is_one(path: &Path) -> bool {
     extension(path) == "ron" && input::text(path).is_ok_and(|text| is_scene(&text))
 }
 

@@ -35,6 +35,8 @@ pub(crate) enum UsageError {
         motion = .motion.display(), figure = .figure.display()
     )]
     Swapped { command: &'static str, figure: PathBuf, motion: PathBuf },
+    #[error("'{word}' is no command of {of}; {of} --help lists them")]
+    NoSuchCommand { word: String, of: String },
     #[error("--height, --mass and --segment change a figure; a motion has no size")]
     MotionHasNoSize,
     #[error(

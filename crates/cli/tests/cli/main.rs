@@ -1,5 +1,6 @@
 //! The program, as people run it.
 
+mod alone;
 mod disk_full;
 mod drives;
 mod hostile;
