@@ -24,7 +24,10 @@
 //! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
 //! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck |
 //!
-//! Names of one's own are a [`RigMap`]. Fingers are missing. Local axes are the world's at rest, as VRM has it, not each program's own.
+//! Fingers and, of `Vrm` and `Unity`, eyes are such bones, too, each with what of the skin is its own, so that they can be posed: at rest fingers
+//! hang as they do in the skin, a little bent, their frames along the world's axes. `Smpl` and `Cmu` have none.
+//!
+//! Names of one's own are a [`RigMap`], which has no fingers. Local axes are the world's at rest, as VRM has it, not each program's own.
 
 mod map;
 mod rigged;
@@ -50,6 +53,9 @@ const NAMES: &str = include_str!("rig/names.csv");
 /// Bones that rigs have beyond our links, from below up: each goes on from a link, at a share of the way to the joint of another
 /// one or to its own tip.
 const BETWEEN: &str = include_str!("rig/between.csv");
+
+/// Names of fingers and eyes, [`solaris_skin::Part`]s of a person's skin, a rig a column; those that have none have no column or no name.
+const PARTS: &str = include_str!("rig/parts.csv");
 
 /// A bone that never turns.
 struct Between {
@@ -83,6 +89,13 @@ impl Rig {
             let (rig, bone, link, toward, share) = (cell()?, cell()?, cell()?, cell()?, cell()?);
             (rig == self.name()).then_some(Between { bone, link, toward, share: share.parse().ok()? })
         })
+    }
+
+    /// What it calls a part of a human's skin: a bone of a finger, an eye.
+    pub fn part(self, part: &str) -> Option<&'static str> {
+        let column = PARTS.lines().next()?.split(',').position(|rig| rig == self.name())?;
+        let row = PARTS.lines().skip(1).find(|row| row.split(',').next() == Some(part))?;
+        row.split(',').nth(column).filter(|bone| !bone.is_empty())
     }
 
     /// How it stands at rest.

@@ -114,8 +114,9 @@ struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    fn tokens(&self) -> String {
-        let quoted: Vec<String> = self.joints.iter().map(|joint| format!("\"{joint}\"")).collect();
+    /// The paths of these links.
+    fn tokens(&self, links: &[usize]) -> String {
+        let quoted: Vec<String> = links.iter().map(|i| format!("\"{}\"", self.joints[*i])).collect();
         quoted.join(", ")
     }
 
@@ -134,7 +135,8 @@ impl Stage<'_> {
             out,
             "    def Skeleton \"bones\" (\n        prepend apiSchemas = [\"SkelBindingAPI\"]\n    )\n    {{"
         )?;
-        writeln!(out, "        uniform token[] joints = [{}]", self.tokens())?;
+        let all: Vec<usize> = (0..self.joints.len()).collect();
+        writeln!(out, "        uniform token[] joints = [{}]", self.tokens(&all))?;
         writeln!(out, "        uniform matrix4d[] bindTransforms = [{}]", matrices(&bind))?;
         writeln!(out, "        uniform matrix4d[] restTransforms = [{}]", matrices(&rest))?;
         writeln!(out, "        rel skel:animationSource = </{root}/{clip}>\n    }}\n")?;
@@ -149,6 +151,9 @@ impl Stage<'_> {
         codes: &[f64],
         out: &mut impl Write,
     ) -> Result<(), IoError> {
+        // Bones that never turn keep their rest.
+        let moving = |i: &usize| self.figure.links()[*i].joint().kind().nv() > 0;
+        let moving: Vec<usize> = (0..self.joints.len()).filter(moving).collect();
         let mut before: Vec<UnitQuaternion<f64>> = Vec::new();
         let (mut turns, mut slides) = (String::new(), String::new());
         for (key, code) in keys.iter().zip(codes) {
@@ -168,18 +173,19 @@ impl Stage<'_> {
                 }
             }
             before = places.iter().map(|place| place.rotation).collect();
-            let turned = places.iter().map(|place| {
+            let moved = || moving.iter().map(|i| &places[*i]);
+            let turned = moved().map(|place| {
                 let [x, y, z, w] = place.rotation.coords.map(|x| x as f32).into();
                 format!("({w}, {x}, {y}, {z})")
             });
-            let slid = places.iter().map(|place| triple(place.translation.vector.map(|x| x as f32).into()));
+            let slid = moved().map(|place| triple(place.translation.vector.map(|x| x as f32).into()));
             let line = |all: Vec<String>| format!("            {code}: [{}],\n", all.join(", "));
             turns += &line(turned.collect());
             slides += &line(slid.collect());
         }
-        let ones = vec!["(1, 1, 1)"; self.joints.len()].join(", ");
+        let ones = vec!["(1, 1, 1)"; moving.len()].join(", ");
         writeln!(out, "    def SkelAnimation \"{clip}\"\n    {{")?;
-        writeln!(out, "        uniform token[] joints = [{}]", self.tokens())?;
+        writeln!(out, "        uniform token[] joints = [{}]", self.tokens(&moving))?;
         writeln!(out, "        quatf[] rotations.timeSamples = {{\n{turns}        }}")?;
         writeln!(out, "        half3[] scales = [{ones}]")?;
         writeln!(out, "        float3[] translations.timeSamples = {{\n{slides}        }}\n    }}\n")?;

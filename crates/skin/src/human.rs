@@ -6,6 +6,9 @@
 
 mod arm;
 mod colours;
+mod digits;
+mod eyes;
+mod hang;
 mod head;
 mod joints;
 mod leg;
@@ -16,9 +19,9 @@ use crate::Detail;
 use crate::contour::{Zone, contour};
 use crate::fair;
 use crate::field::{Bounds, Field, Form, Group, Solid};
-use crate::mesh::Skin;
+use crate::mesh::{Part, Skin};
 use crate::weights::influences;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use sizes::Sizes;
 use solaris_model::Figure;
 
@@ -56,20 +59,47 @@ impl Side {
 pub(crate) fn skin(figure: &Figure, detail: Detail) -> Option<Skin> {
     let sizes = Sizes::of(figure)?;
     let field = body(&sizes);
-    let parts = match detail {
-        Detail::Rough => 42.0,
-        Detail::Coarse => 60.0,
-        Detail::Fine => 80.0,
+    let cells = match detail {
+        Detail::Rough => 40.0,
+        Detail::Coarse => 56.0,
+        Detail::Fine => 74.0,
     };
-    let mut polygons = contour(&field, sizes.stature / parts, &zones(&sizes));
+    let cell = sizes.stature / cells;
+    let mut polygons = contour(&field, cell, &zones(&sizes));
     let neighbours = fair::neighbours(&polygons);
     let (normals, groups) = fair::settle(&mut polygons, &neighbours, &field);
     let triangles = fair::triangles(&polygons);
     let bends = joints::bends(&sizes);
     let influences = influences(&polygons.points, &groups, &bends, figure.links().len(), &neighbours);
-    let clothes = colours::Clothes::of(&sizes);
+    let clothes = colours::Clothes::of(&sizes, cell / 8.0);
     let colours = polygons.points.iter().zip(&groups).map(|(p, group)| clothes.place(p, *group)).collect();
-    Some(Skin { points: polygons.points, normals, colours, influences, triangles, bind: sizes.bind })
+    let points = polygons.points;
+    let bind = sizes.bind.clone();
+    let mut skin = Skin {
+        points,
+        normals,
+        colours,
+        influences,
+        triangles,
+        bind,
+        parts: parts(figure),
+        ..Skin::default()
+    };
+    hang::hang(&mut skin, &groups, &neighbours, &sizes);
+    eyes::add(&mut skin, &sizes, detail);
+    Some(skin)
+}
+
+/// The bones of its fingers and its eyes.
+pub(crate) fn parts(figure: &Figure) -> Vec<Part> {
+    let Some(sizes) = Sizes::of(figure) else { return Vec::new() };
+    let mut parts = Vec::new();
+    for side in SIDES {
+        let link = sizes.index(&side.name("hand"));
+        digits::digits(&sizes, side).iter().for_each(|digit| digit.parts(side, link, &mut parts));
+    }
+    parts.extend(SIDES.map(|side| eyes::part(&sizes, side)));
+    parts
 }
 
 fn body(sizes: &Sizes<'_>) -> Field {
@@ -85,23 +115,34 @@ fn body(sizes: &Sizes<'_>) -> Field {
 /// Hands and face are finer, the head and feet a little.
 fn zones(sizes: &Sizes<'_>) -> Vec<Zone> {
     let mut zones = Vec::new();
-    let mut zone = |link: &str, corners: [[f64; 3]; 2], scale: f64, finer: u32| {
+    let mut zone = |link: &str, corners: [[f64; 3]; 2], size: Vector3<f64>, finer: u32| {
         let place = sizes.place(link);
         let corner = |i: usize| {
-            let pick = |k: usize| corners[i >> k & 1][k] * scale;
-            place.rotation * Vector3::new(pick(0), pick(1), pick(2)) + place.translation.vector
+            let pick = |k: usize| corners[i >> k & 1][k];
+            place * Point3::from(Vector3::new(pick(0), pick(1), pick(2)).component_mul(&size))
         };
-        zones.push(Zone { bounds: Bounds::around((0..8).map(corner), 0.0), finer });
+        zones.push(Zone { bounds: Bounds::around((0..8).map(|i| corner(i).coords), 0.0), finer });
     };
-    let head = sizes.long("head");
+    let head = sizes.head();
     zone("head", [[-0.10, -0.05, -0.10], [0.10, 0.19, 0.16]], head, 1);
-    zone("head", [[-0.055, -0.05, 0.07], [0.055, 0.10, 0.16]], head, 2);
+    zone("head", [[-0.055, -0.04, 0.07], [0.055, 0.10, 0.16]], head, 2);
+    // Mouth.
+    zone("head", [[-0.027, -0.004, 0.09], [0.027, 0.018, 0.16]], head, 3);
     for side in SIDES {
+        let outwards = Vector3::new(side.out, 1.0, 1.0);
+        // Lids and brows; ears.
+        zone("head", [[0.009, 0.055, 0.07], [0.054, 0.093, 0.16]], head.component_mul(&outwards), 3);
+        zone("head", [[0.066, 0.012, -0.02], [0.10, 0.09, 0.04]], head.component_mul(&outwards), 2);
         let (hand, foot) = (side.name("hand"), side.name("foot"));
-        let scale = sizes.long(&hand);
+        let scale = outwards * sizes.long(&hand);
         zone(&hand, [[-0.06, -0.20, -0.07], [0.06, 0.0, 0.09]], scale, 1);
-        zone(&hand, [[-0.05, -0.19, -0.05], [0.03, -0.03, 0.08]], scale, 2);
-        zone(&foot, [[-0.07, -0.10, -0.07], [0.07, 0.0, 0.23]], sizes.long(&foot), 1);
+        zone(&hand, [[-0.05, -0.14, -0.05], [0.03, -0.03, 0.07]], scale, 2);
+        zone(&foot, [[-0.07, -0.10, -0.07], [0.07, 0.0, 0.23]], Vector3::repeat(sizes.long(&foot)), 1);
+    }
+    for side in SIDES {
+        let place = sizes.place(&side.name("hand"));
+        let digits = digits::digits(sizes, side);
+        zones.extend(digits.iter().map(|digit| Zone { bounds: digit.bounds(&place), finer: 3 }));
     }
     zones
 }

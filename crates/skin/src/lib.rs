@@ -9,7 +9,7 @@ mod mesh;
 mod palette;
 mod weights;
 
-pub use mesh::{Influence, Skin};
+pub use mesh::{Influence, Part, Skin};
 pub use palette::{Colour, PALETTE, colour_at};
 
 use solaris_model::Figure;
@@ -17,18 +17,18 @@ use solaris_model::Figure;
 /// How finely a skin is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// For a crowd: a person has some 3400 vertices, and hands without fingers worth the name.
+    /// For a crowd: a person has some 4300 vertices.
     Rough,
-    /// For a page: a person has some 7000 vertices.
+    /// For a page: a person has some 8300 vertices.
     Coarse,
-    /// For a film: a person has some 12 000 vertices.
+    /// For a film: a person has some 14 000 vertices.
     #[default]
     Fine,
 }
 
 /// The surface of a figure.
 ///
-/// A person, as [`solaris_model::human()`] makes them, has one closed skin over all links, as long and as thick as the links' own shapes
+/// A person, as [`solaris_model::human()`] makes them, has one closed skin over all links, and two eyes in it, as long and as thick as the links' own shapes
 /// are. Any other figure has the shapes of its links, each as a part of its own; a link without a shape has none.
 ///
 /// ```
@@ -42,6 +42,11 @@ pub enum Detail {
 /// ```
 pub fn skin(figure: &Figure, detail: Detail) -> Skin {
     person(figure, detail).unwrap_or_else(|| links::skin(figure))
+}
+
+/// The bones that a person's body has beyond the links, [`Skin::parts`] of its skin; of anything else none.
+pub fn parts(figure: &Figure) -> Vec<Part> {
+    human::parts(figure)
 }
 
 /// The closed skin of a person; none of a figure whose links are not those of [`solaris_model::human()`].

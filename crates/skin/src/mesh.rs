@@ -11,6 +11,19 @@ pub struct Influence {
     pub share: f32,
 }
 
+/// A bone that a body has and the figure has not: a finger's, an eye. It goes with a link as long as nobody turns it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// `left_index_1` (the one next to the palm; of a thumb the metacarpal), `right_eye`.
+    pub name: String,
+    /// Index of the link that it is a part of.
+    pub link: usize,
+    /// The part that it goes on from, an index of [`Skin::parts`]; none where it hangs on the link itself.
+    pub parent: Option<usize>,
+    /// Where its joint is in the link's frame (m).
+    pub at: Vector3<f64>,
+}
+
 /// A surface that moves with the links of a figure.
 ///
 /// Where the links are at `places`, a vertex is at the sum of `share · places[link] · bind[link]⁻¹ · point` over its influences (linear
@@ -29,6 +42,11 @@ pub struct Skin {
     pub triangles: Vec<[u32; 3]>,
     /// Where the links are when the vertices are at [`Skin::points`].
     pub bind: Vec<Isometry3<f64>>,
+    /// Bones beyond the figure's links: fingers and eyes of a person. Parents come before children.
+    pub parts: Vec<Part>,
+    /// For who has bones for the parts: the vertices that go with some, in place of their [`Skin::influences`]. Parts are counted on from
+    /// the links: index `bind.len() + i` is `parts[i]`.
+    pub fine: Vec<(u32, [Influence; 4])>,
 }
 
 impl Skin {

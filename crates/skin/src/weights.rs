@@ -22,7 +22,7 @@ pub(crate) struct Bend {
 }
 
 /// Goes from 0 at −1 to 1 at 1 without a kink.
-fn ramp(x: f64) -> f64 {
+pub(crate) fn ramp(x: f64) -> f64 {
     let t = (0.5 + 0.5 * x).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
@@ -75,10 +75,14 @@ pub(crate) fn influences(
     for _ in 0..ROUNDS {
         shares = evened(&shares, links, neighbours);
     }
-    shares.chunks(links).map(greatest).collect()
+    let of = |row: &[f32]| {
+        let own = row.iter().zip(0_u16..).map(|(share, link)| Influence { link, share: *share });
+        greatest(own.collect())
+    };
+    shares.chunks(links).map(of).collect()
 }
 
-fn evened(shares: &[f32], links: usize, neighbours: &[Vec<u32>]) -> Vec<f32> {
+pub(crate) fn evened(shares: &[f32], links: usize, neighbours: &[Vec<u32>]) -> Vec<f32> {
     let mut out = shares.to_vec();
     for (row, around) in out.chunks_mut(links).zip(neighbours) {
         let part = 0.5 / around.len() as f32;
@@ -98,13 +102,9 @@ fn evened(shares: &[f32], links: usize, neighbours: &[Vec<u32>]) -> Vec<f32> {
 /// Shares that do not matter.
 const LEAST: f32 = 0.004;
 
-fn greatest(row: &[f32]) -> [Influence; 4] {
-    let mut order: Vec<Influence> = row
-        .iter()
-        .enumerate()
-        .filter(|(_, share)| **share > LEAST)
-        .map(|(link, share)| Influence { link: link as u16, share: *share })
-        .collect();
+/// The four greatest shares, made 1 together.
+pub(crate) fn greatest(mut order: Vec<Influence>) -> [Influence; 4] {
+    order.retain(|i| i.share > LEAST);
     order.sort_by(|a, b| b.share.total_cmp(&a.share));
     order.truncate(4);
     let total: f32 = order.iter().map(|i| i.share).sum();

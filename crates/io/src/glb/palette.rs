@@ -3,7 +3,7 @@
 use solaris_skin::colour_at;
 
 /// Pixels of the strip along and across.
-const WIDE: u32 = 512;
+const WIDE: u32 = 576;
 const HIGH: u32 = 4;
 
 pub(super) fn png() -> Vec<u8> {

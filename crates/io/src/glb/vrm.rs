@@ -13,8 +13,8 @@ use solaris_model::Figure;
 /// A bone of the specification, the one that it hangs on, and whether every person must have it.
 type Bone = (&'static str, Option<&'static str>, bool);
 
-/// All but eyes, jaw and fingers, which our people do not have.
-const BONES: [Bone; 22] = [
+/// All but the jaw, which our people do not have.
+const BONES: [Bone; 54] = [
     ("hips", None, true),
     ("spine", Some("hips"), true),
     ("chest", Some("spine"), false),
@@ -37,6 +37,38 @@ const BONES: [Bone; 22] = [
     ("rightLowerLeg", Some("rightUpperLeg"), true),
     ("rightFoot", Some("rightLowerLeg"), true),
     ("rightToes", Some("rightFoot"), false),
+    ("leftThumbMetacarpal", Some("leftHand"), false),
+    ("leftThumbProximal", Some("leftThumbMetacarpal"), false),
+    ("leftThumbDistal", Some("leftThumbProximal"), false),
+    ("leftIndexProximal", Some("leftHand"), false),
+    ("leftIndexIntermediate", Some("leftIndexProximal"), false),
+    ("leftIndexDistal", Some("leftIndexIntermediate"), false),
+    ("leftMiddleProximal", Some("leftHand"), false),
+    ("leftMiddleIntermediate", Some("leftMiddleProximal"), false),
+    ("leftMiddleDistal", Some("leftMiddleIntermediate"), false),
+    ("leftRingProximal", Some("leftHand"), false),
+    ("leftRingIntermediate", Some("leftRingProximal"), false),
+    ("leftRingDistal", Some("leftRingIntermediate"), false),
+    ("leftLittleProximal", Some("leftHand"), false),
+    ("leftLittleIntermediate", Some("leftLittleProximal"), false),
+    ("leftLittleDistal", Some("leftLittleIntermediate"), false),
+    ("leftEye", Some("head"), false),
+    ("rightThumbMetacarpal", Some("rightHand"), false),
+    ("rightThumbProximal", Some("rightThumbMetacarpal"), false),
+    ("rightThumbDistal", Some("rightThumbProximal"), false),
+    ("rightIndexProximal", Some("rightHand"), false),
+    ("rightIndexIntermediate", Some("rightIndexProximal"), false),
+    ("rightIndexDistal", Some("rightIndexIntermediate"), false),
+    ("rightMiddleProximal", Some("rightHand"), false),
+    ("rightMiddleIntermediate", Some("rightMiddleProximal"), false),
+    ("rightMiddleDistal", Some("rightMiddleIntermediate"), false),
+    ("rightRingProximal", Some("rightHand"), false),
+    ("rightRingIntermediate", Some("rightRingProximal"), false),
+    ("rightRingDistal", Some("rightRingIntermediate"), false),
+    ("rightLittleProximal", Some("rightHand"), false),
+    ("rightLittleIntermediate", Some("rightLittleProximal"), false),
+    ("rightLittleDistal", Some("rightLittleIntermediate"), false),
+    ("rightEye", Some("head"), false),
 ];
 
 /// Refuses what is not one person on VRM's bones.

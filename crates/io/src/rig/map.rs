@@ -94,6 +94,11 @@ impl RigMap {
         self.bones.iter().find(|(known, _)| *known == link).map(|(_, bone)| bone.as_str())
     }
 
+    /// What it calls a part of a human's skin, where it has a bone for it.
+    pub(super) fn part(&self, part: &str) -> Option<&'static str> {
+        self.rig?.part(part)
+    }
+
     /// What a message calls it.
     pub(super) fn name(&self) -> &'static str {
         self.rig.map_or("custom", Rig::name)

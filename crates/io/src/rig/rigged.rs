@@ -6,7 +6,7 @@ use solaris_model::{
     Figure, FigureBuilder, Inertia, Isometry3, Joint, Known, LinkSpec, Motion, Placement, Shape,
     UnitQuaternion, Vector3,
 };
-use solaris_skin::{Detail, Skin, skin};
+use solaris_skin::{Detail, Influence, Skin, parts, skin};
 
 /// A figure on a rig's bones.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Rigged {
     pub bones: Vec<usize>,
     /// For each link, the turn from the new frame to the old one.
     turns: Vec<UnitQuaternion<f64>>,
+    /// For each part of the skin the bone that it is, if it is one.
+    parts: Vec<Option<usize>>,
 }
 
 impl Rigged {
@@ -42,7 +44,8 @@ impl Rigged {
         // The bone that goes on from each link, and where it is in the link's.
         let mut ends: Vec<(&str, Vector3<f64>)> = Vec::new();
         let mut builder = FigureBuilder::new(figure.name());
-        for link in figure.links() {
+        let parts = parts(figure);
+        for (index, link) in figure.links().iter().enumerate() {
             let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
             let Some(name) = name else {
                 return Err(IoError::NotOfRigs { rig: rig.name(), link: link.name().to_owned() });
@@ -74,6 +77,14 @@ impl Rigged {
                 builder = builder.link(LinkSpec::child(between.bone, end.0, fixed));
                 end = (between.bone, at);
             }
+            for part in parts.iter().filter(|part| part.link == index) {
+                let Some(bone) = rig.part(&part.name) else { continue };
+                let above = part.parent.map(|i| &parts[i]);
+                let above = above.and_then(|above| Some((rig.part(&above.name)?, above.at)));
+                let (parent, from) = above.unwrap_or((name, Vector3::zeros()));
+                let fixed = Joint::new(bone).at(turn.inverse() * (part.at - from));
+                builder = builder.link(LinkSpec::child(bone, parent, fixed));
+            }
             turns.push(turn);
             names.push(name);
             ends.push(end);
@@ -83,7 +94,8 @@ impl Rigged {
         }
         let figure = builder.build()?;
         let bones = names.iter().filter_map(|name| figure.link_index(name)).collect();
-        Ok(Self { figure, bones, turns })
+        let parts = parts.iter().map(|part| figure.link_index(rig.part(&part.name)?)).collect();
+        Ok(Self { figure, bones, turns, parts })
     }
 
     /// A motion of the figure as it was, on the bones: the same places at the same times, with its contacts and events.
@@ -133,7 +145,7 @@ impl Rigged {
         Ok(found)
     }
 
-    /// The skin of the figure as it was, bound to the bones in their rest pose, so that programs which take a skin's pose for the
+    /// The skin of the figure as it was, its fingers and eyes on the rig's bones for them, bound to the bones in their rest pose, so that programs which take a skin's pose for the
     /// rest pose find it. About the shoulders it bends a little otherwise than before, for it was made with arms lower.
     pub fn skin(&self, figure: &Figure, detail: Detail) -> Skin {
         let mut skin = skin(figure, detail);
@@ -149,6 +161,28 @@ impl Rigged {
         for influence in skin.influences.iter_mut().flatten() {
             influence.link = self.bones[usize::from(influence.link)] as u16;
         }
+        // Parts that are bones here take their vertices; the others' stay with their links.
+        for (vertex, with) in std::mem::take(&mut skin.fine) {
+            let own = |i: Influence| {
+                let link = usize::from(i.link);
+                let bone = match link.checked_sub(self.bones.len()) {
+                    None => self.bones[link],
+                    Some(part) => self.parts[part].unwrap_or(self.bones[skin.parts[part].link]),
+                };
+                Influence { link: bone as u16, ..i }
+            };
+            let mut merged: Vec<Influence> = Vec::with_capacity(4);
+            for i in with.into_iter().filter(|i| i.share > 0.0).map(own) {
+                match merged.iter_mut().find(|other| other.link == i.link) {
+                    Some(other) => other.share += i.share,
+                    None => merged.push(i),
+                }
+            }
+            merged.sort_by(|a, b| b.share.total_cmp(&a.share));
+            merged.resize(4, Influence::default());
+            skin.influences[vertex as usize] = [merged[0], merged[1], merged[2], merged[3]];
+        }
+        skin.parts.clear();
         let mut q = vec![0.0; self.figure.layout().nq()];
         // The length is the figure's own.
         let _ = self.figure.neutral(&mut q);

@@ -275,3 +275,80 @@ fn a_map_s_faults_are_told_by_their_places() {
         assert!(error.contains(place) && error.contains(why), "{text}: {error}");
     }
 }
+
+#[test]
+fn fingers_and_eyes_are_bones_that_take_what_is_theirs_of_the_skin() {
+    let (figure, motion) = walked();
+    let own = skin(&figure, Detail::Rough);
+    for (rig, bones, chain) in [
+        (
+            Rig::Mixamo,
+            30,
+            "mixamorig:LeftHand mixamorig:LeftHandPinky1 mixamorig:LeftHandPinky2 mixamorig:LeftHandPinky3",
+        ),
+        (Rig::Vrm, 32, "rightHand rightThumbMetacarpal rightThumbProximal rightThumbDistal"),
+        (Rig::Unreal, 30, "hand_r index_01_r index_02_r index_03_r"),
+        (Rig::Unity, 32, "Head RightEye"),
+        (Rig::Smpl, 0, "left_wrist left_hand"),
+        (Rig::Cmu, 0, "LeftForeArm LeftHand"),
+    ] {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let parts: Vec<_> =
+            own.parts.iter().filter_map(|part| on.figure.link_index(rig.part(&part.name)?)).collect();
+        assert_eq!(parts.len(), bones, "{rig:?}");
+        let links = on.figure.links();
+        for (parent, bone) in chain.split(' ').zip(chain.split(' ').skip(1)) {
+            let link = on.figure.link(bone).expect("a bone");
+            assert_eq!(link.parent().map(|i| links[i].name()), Some(parent), "{rig:?}");
+        }
+        // Each has its vertices, and all go where they went.
+        let theirs = on.skin(&figure, Detail::Rough);
+        for part in &parts {
+            let all = theirs.influences.iter().flatten();
+            let share: f32 = all.filter(|i| usize::from(i.link) == *part).map(|i| i.share).sum();
+            assert!(share > 4.0, "{rig:?}, {}: {share} vertices", links[*part].name());
+        }
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let a = own.posed(&figure.places(motion.q(5)));
+        let b = theirs.posed(&on.figure.places(moved.q(5)));
+        for (vertex, _) in own.fine.iter().filter(|(v, _)| own.influences[*v as usize][0].share > 0.999_999) {
+            let off = (a[*vertex as usize] - b[*vertex as usize]).norm();
+            assert!(off < 1e-6, "{rig:?}: {off} m");
+        }
+        assert!(
+            theirs
+                .influences
+                .iter()
+                .all(|four| (four.iter().map(|i| i.share).sum::<f32>() - 1.0).abs() < 1e-5)
+        );
+    }
+}
+
+#[test]
+fn a_finger_that_is_bent_bends_and_nothing_else_does() {
+    let (figure, _) = walked();
+    let on = Rigged::new(&figure, Rig::Vrm).expect("on the rig");
+    let skin = on.skin(&figure, Detail::Coarse);
+    let bone = on.figure.link_index("leftIndexProximal").expect("a bone");
+    let mut places = skin.bind.clone();
+    let joint = places[bone].translation.vector;
+    // About z, a T pose's left palm looking down: fingers go down.
+    let turn = solaris_model::UnitQuaternion::from_scaled_axis(Vector3::z() * -1.0);
+    let bent = |place: &nalgebra::Isometry3<f64>| {
+        let at = joint + turn * (place.translation.vector - joint);
+        nalgebra::Isometry3::from_parts(at.into(), turn * place.rotation)
+    };
+    for name in ["leftIndexProximal", "leftIndexIntermediate", "leftIndexDistal"] {
+        let link = on.figure.link_index(name).expect("a bone");
+        places[link] = bent(&places[link]);
+    }
+    let moved = skin.posed(&places);
+    let (mut far, mut most): (usize, f64) = (0, 0.0);
+    for (a, b) in skin.points.iter().zip(&moved) {
+        let off = (a - b).norm();
+        (far, most) = (far + usize::from(off > 0.01), most.max(off));
+        // The next finger's middle is as far away as a finger is wide.
+        assert!(off < 1e-4 || (a - joint).norm() < 0.10 && a.x > joint.x - 0.03, "{a:?}: {off}");
+    }
+    assert!(far > 50 && most > 0.05 && most < 0.09, "{far} vertices, {most} m");
+}

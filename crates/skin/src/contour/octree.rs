@@ -3,6 +3,7 @@
 use crate::field::{Bounds, Field, Near};
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// No vertex.
 pub(super) const NONE: u32 = u32::MAX;
@@ -75,7 +76,7 @@ pub(super) fn build(field: &Field, cell: f64, zones: &[Zone]) -> Node {
     // Off the middle, so that no plane of cells lies in the body's own plane of symmetry or on a sole.
     let middle = (bounds.0 + bounds.1) / 2.0;
     let origin = middle - Vector3::repeat(size / 2.0) + Vector3::new(0.371, 0.293, 0.413) * cell;
-    Build { field, zones, origin, size, depth }.node([0; 3], 0, &all)
+    Build { field, zones, origin, size, depth }.node([0; 3], 0, &all, &mut Known::new())
 }
 
 impl Build<'_> {
@@ -90,7 +91,7 @@ impl Build<'_> {
         self.origin + Vector3::from(steps)
     }
 
-    fn node(&self, at: [u32; 3], depth: u32, near: &Near) -> Node {
+    fn node(&self, at: [u32; 3], depth: u32, near: &Near, known: &mut Known) -> Node {
         let low = self.corner(at, depth);
         let edge = self.edge(depth);
         let bounds = Bounds(low, low.add_scalar(edge));
@@ -111,30 +112,34 @@ impl Build<'_> {
             self.zones.iter().filter(|zone| zone.bounds.apart(&bounds) < 0.0).map(|zone| zone.finer).max();
         let wanted = self.depth + finer.unwrap_or(0);
         if depth >= wanted {
-            let values: [f64; 8] = std::array::from_fn(|i| self.value(at, i, depth, &near));
+            let values: [f64; 8] = std::array::from_fn(|i| self.value(at, i, depth, &near, known));
             let signs = (0..8).fold(0_u8, |signs, i| signs | u8::from(values[i] < 0.0) << i);
             if depth >= wanted + UNSURE || !is_unsure(signs) {
                 return leaf(signs, middle_of_crossings(&values, low, edge).unwrap_or(middle));
             }
         }
-        let child = |i: usize| {
+        let child = |i: usize, known: &mut Known| {
             let child = [0, 1, 2].map(|k| 2 * at[k] + (i >> k & 1) as u32);
-            self.node(child, depth + 1, &near)
+            self.node(child, depth + 1, &near, known)
         };
         let children: Vec<Node> = if depth < APART {
-            (0..8).into_par_iter().map(child).collect()
+            (0..8).into_par_iter().map(|i| child(i, &mut Known::new())).collect()
         } else {
-            (0..8).map(child).collect()
+            (0..8).map(|i| child(i, known)).collect()
         };
         // Eight went in.
         children.try_into().map_or_else(|_| leaf(0, middle), |children| Node::Branch(Box::new(children)))
     }
 
-    fn value(&self, at: [u32; 3], i: usize, depth: u32, near: &Near) -> f64 {
+    fn value(&self, at: [u32; 3], i: usize, depth: u32, near: &Near, known: &mut Known) -> f64 {
         let corner = [0, 1, 2].map(|k| at[k] + (i >> k & 1) as u32);
-        self.field.sample(&self.corner(corner, depth), near).0
+        let key = corner.map(|i| i << (FINEST - depth));
+        *known.entry(key).or_insert_with(|| self.field.sample(&self.corner(corner, depth), near).0)
     }
 }
+
+/// Values at corners, which up to eight cells share. They are of the place alone, so it does not matter who asked first.
+type Known = HashMap<[u32; 3], f64>;
 
 /// Depth by which places are counted.
 const FINEST: u32 = 16;

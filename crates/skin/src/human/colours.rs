@@ -3,6 +3,7 @@
 use super::head::HAIRLINE;
 use super::sizes::Sizes;
 use super::{ARMS, LEGS};
+use crate::palette::COLOURS;
 use nalgebra::{Isometry3, Vector3};
 
 /// Borders between colours, from the soles up.
@@ -18,17 +19,21 @@ pub(super) struct Clothes {
     throat: f64,
     head: Isometry3<f64>,
     /// Of the head, and of the body.
-    scale: f64,
+    size: Vector3<f64>,
     tall: f64,
+    /// Half of the thinnest that cells about the eyes show (m).
+    least: f64,
 }
 
 /// A colour's part of the strip that a border is spread over is as long as this on the body (m): some cells, so that between
 /// vertices the place in the strip goes evenly where the border is.
 const SPREAD: f64 = 0.11;
 const SPREAD_HEAD: f64 = 0.030;
+const SPREAD_BROW: f64 = 0.012;
 
 impl Clothes {
-    pub(super) fn of(sizes: &Sizes<'_>) -> Self {
+    /// `cell`: how long cells are about the eyes (m).
+    pub(super) fn of(sizes: &Sizes<'_>, cell: f64) -> Self {
         let sleeve = |arm: &str| {
             let place = sizes.place(arm);
             let along = place.rotation * -Vector3::y();
@@ -43,8 +48,9 @@ impl Clothes {
             collar: (neck, 0.080 * sizes.thick("neck").0.max(tall), sizes.height(0.385)),
             throat: sizes.height(0.48),
             head: sizes.place("head"),
-            scale: sizes.long("head"),
+            size: sizes.head(),
             tall,
+            least: 0.6 * cell,
         }
     }
 
@@ -60,17 +66,29 @@ impl Clothes {
             let (neck, radius, least) = self.collar;
             let collar =
                 (radius - (p.x - neck.x).hypot(p.z - neck.z)).min(p.y - least).max(p.y - self.throat);
-            1.0 + step(p.y - self.waist, SPREAD) + step(collar, 0.06) + step(self.hair(p), SPREAD_HEAD)
+            1.0 + step(p.y - self.waist, SPREAD)
+                + step(collar, 0.06)
+                + step(self.hair(p), SPREAD_HEAD).max(step(self.brow(p), SPREAD_BROW))
         };
-        ((place + 0.5) / 6.0) as f32
+        ((place + 0.5) / COLOURS as f64) as f32
     }
 
     /// How far a point is over the hairline (m); ears are not.
     fn hair(&self, p: &Vector3<f64>) -> f64 {
-        let local = self.head.inverse_transform_point(&(*p).into()).coords / self.scale;
+        let local = self.head.inverse_transform_point(&(*p).into()).coords.component_div(&self.size);
         let (point, down) = (Vector3::from(HAIRLINE.0), Vector3::from(HAIRLINE.1));
         let over = -down.dot(&(local - point)) + 0.002;
         let ear = Vector3::new(local.x.abs() - 0.078, (local.y - 0.052) * 0.62, local.z - 0.010);
         over.min(ear.norm() - 0.021)
+    }
+
+    /// How far a point is within a brow (m): an arch that gets thinner outwards.
+    fn brow(&self, p: &Vector3<f64>) -> f64 {
+        let local = self.head.inverse_transform_point(&(*p).into()).coords.component_div(&self.size);
+        let x = local.x.abs();
+        let arch = 0.0872 - 8.0 * (x - 0.037).powi(2);
+        let thin = 0.075 * (x - 0.030).max(0.0) + 0.10 * (0.020 - x).max(0.0);
+        let thick = (0.0027 - thin).max(self.least / self.size.y);
+        (thick - (local.y - arch).abs()).min(x - 0.0125).min(0.0490 - x).min(local.z - 0.05)
     }
 }

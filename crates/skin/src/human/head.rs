@@ -1,5 +1,6 @@
 //! The head: skull, jaw, face, ears, hair.
 
+use super::eyes::{CENTRE, RADIUS};
 use super::sizes::Sizes;
 use super::{SIDES, solid};
 use crate::field::{Cone, Form, Loft, Section, Solid};
@@ -27,51 +28,62 @@ const HAIR: f64 = 0.005;
 pub(super) const HAIRLINE: ([f64; 3], [f64; 3]) = ([0.0, 0.128, 0.104], [0.0, -0.80, 0.60]);
 
 pub(super) fn solids(sizes: &Sizes<'_>) -> Vec<Solid> {
-    let scale = sizes.long("head");
+    let size = sizes.head();
+    let (long, wide) = (size.y, size.x);
+    let at = |p: [f64; 3]| Vector3::from(p).component_mul(&size);
     let upright = UnitQuaternion::identity();
     let loft = |more: f64| {
-        let section = |[y, wide, front, back]: [f64; 4]| {
-            Section(y * scale, [wide, wide, front, back].map(|reach| (reach + more) * scale))
+        let section = |[y, side, front, back]: [f64; 4]| {
+            Section(y * long, [side, side, front, back].map(|reach| (reach + more) * wide))
         };
-        Form::Loft(Loft::new(SECTIONS.map(section).to_vec(), [0.009 * scale, (0.063 + more) * scale], 0.18))
+        Form::Loft(Loft::new(SECTIONS.map(section).to_vec(), [0.009 * long, (0.063 + more) * long], 0.18))
     };
-    let axis = Vector3::new(0.0, 0.0, AXIS) * scale;
+    let axis = at([0.0, 0.0, AXIS]);
     let mut solids = vec![solid(sizes, "head", loft(0.0), axis, upright, 0.018)];
-    let mut cone = |from: [f64; 3], to: [f64; 3], radii: [f64; 2], blend: f64| {
-        let (from, to) = (Vector3::from(from) * scale, Vector3::from(to) * scale);
+    let cone = |from: [f64; 3], to: [f64; 3], radii: [f64; 2], blend: f64| {
+        let (from, to) = (at(from), at(to));
         let turn = UnitQuaternion::rotation_between(&Vector3::y(), &(to - from)).unwrap_or(upright);
-        let form = Cone::new(radii[0] * scale, radii[1] * scale, (to - from).norm());
-        solids.push(solid(sizes, "head", Form::Cone(form), from, turn, blend));
+        let form = Cone::new(radii[0] * wide, radii[1] * wide, (to - from).norm());
+        solid(sizes, "head", Form::Cone(form), from, turn, blend)
     };
     // Nose and chin.
-    cone([0.0, 0.078, 0.108], [0.0, 0.036, 0.126], [0.0062, 0.0088], 0.010);
-    cone([0.0, -0.024, 0.092], [0.0, -0.018, 0.092], [0.013, 0.013], 0.025);
+    solids.push(cone([0.0, 0.078, 0.108], [0.0, 0.036, 0.126], [0.0062, 0.0088], 0.010));
+    solids.push(cone([0.0, -0.024, 0.092], [0.0, -0.018, 0.092], [0.013, 0.013], 0.025));
     for side in SIDES {
         let x = side.out;
         // Nostril, lips.
-        cone([x * 0.0080, 0.0345, 0.113], [x * 0.0090, 0.036, 0.106], [0.0056, 0.0060], 0.007);
-        cone([0.0, 0.0145, 0.1095], [x * 0.020, 0.0105, 0.1010], [0.0034, 0.0022], 0.004);
-        cone([0.0, 0.0050, 0.1085], [x * 0.019, 0.0095, 0.1010], [0.0042, 0.0022], 0.004);
+        solids.push(cone([x * 0.0105, 0.0345, 0.112], [x * 0.0115, 0.036, 0.104], [0.0054, 0.0060], 0.010));
+        solids.push(cone([x * 0.003, 0.0132, 0.1080], [x * 0.022, 0.0090, 0.0985], [0.0044, 0.0020], 0.006));
+        solids.push(cone([x * 0.003, 0.0022, 0.1065], [x * 0.019, 0.0068, 0.0985], [0.0056, 0.0022], 0.006));
         // Brow, cheekbone, jaw.
-        cone([x * 0.012, 0.088, 0.108], [x * 0.050, 0.086, 0.086], [0.0060, 0.0055], 0.014);
-        cone([x * 0.034, 0.045, 0.088], [x * 0.054, 0.054, 0.062], [0.012, 0.011], 0.03);
-        cone([x * 0.046, 0.004, 0.022], [x * 0.018, -0.023, 0.082], [0.010, 0.011], 0.022);
+        solids.push(cone([x * 0.012, 0.088, 0.108], [x * 0.050, 0.086, 0.086], [0.0060, 0.0055], 0.014));
+        solids.push(cone([x * 0.034, 0.045, 0.088], [x * 0.054, 0.054, 0.062], [0.012, 0.011], 0.03));
+        solids.push(cone([x * 0.046, 0.004, 0.022], [x * 0.018, -0.023, 0.082], [0.010, 0.011], 0.022));
     }
     for side in SIDES {
-        let ball = |at: [f64; 3], radii: [f64; 3], turn: Vector3<f64>, blend: f64| {
-            let form = Form::Cone(Cone::ellipsoid(Vector3::from(radii) * scale));
+        let ball = |[x, y, z]: [f64; 3], radii: [f64; 3], turn: Vector3<f64>, blend: f64| {
+            let form = Form::Cone(Cone::ellipsoid(Vector3::from(radii) * wide));
             let turn = UnitQuaternion::from_scaled_axis(turn);
-            solid(sizes, "head", form, side.vector(at, scale), turn, blend)
+            solid(sizes, "head", form, at([side.out * x, y, z]), turn, blend)
         };
         solids.push(ball([0.033, 0.066, 0.116], [0.016, 0.009, 0.015], Vector3::zeros(), 0.012).carve());
-        solids.push(ball([0.0325, 0.066, 0.0925], [0.0128, 0.0122, 0.0125], Vector3::zeros(), 0.003));
+        // Lids, and the opening between them.
+        solids.push(ball(CENTRE, [RADIUS + 0.0016; 3], Vector3::zeros(), 0.006));
+        let [x, y, z] = CENTRE;
+        let slant = Vector3::z() * (side.out * 0.07);
+        solids.push(ball([x, y - 0.0007, z + 0.0185], [0.0165, 0.0056, 0.0160], slant, 0.0014).carve());
         let tilt = Vector3::new(-0.20, side.out * 0.35, -side.out * 0.12);
         solids.push(ball([0.075, 0.052, 0.012], [0.007, 0.031, 0.018], tilt, 0.006));
         solids.push(ball([0.0820, 0.058, 0.020], [0.005, 0.015, 0.008], tilt, 0.005).carve());
     }
+    // Between the lips.
+    for side in SIDES {
+        let [from, to] = [[0.0, 0.0082, 0.1168], [side.out * 0.0235, 0.0084, 0.1048]];
+        solids.push(cone(from, to, [0.0042, 0.0034], 0.003).carve());
+    }
     let place = sizes.place("head");
     let (point, towards) = HAIRLINE;
-    let point = place.rotation * Vector3::from(point) * scale + place.translation.vector;
+    let point = place.rotation * at(point) + place.translation.vector;
     let hair = solid(sizes, "head", loft(HAIR), axis, upright, 0.006);
     solids.push(hair.cut(point, Vector3::from(towards)));
     solids

@@ -64,7 +64,7 @@ fn root(part: &mut [usize], mut i: usize) -> usize {
 }
 
 #[test]
-fn all_is_one_piece() {
+fn all_is_one_piece_but_the_eyes() {
     for (who, _, skin) in all() {
         let mut part: Vec<usize> = (0..skin.points.len()).collect();
         for t in &skin.triangles {
@@ -74,7 +74,8 @@ fn all_is_one_piece() {
             let a = root(&mut part, a);
             part[c] = a;
         }
-        assert_eq!((0..part.len()).filter(|i| part[*i] == *i).count(), 1, "{who}");
+        let eyes = skin.parts.iter().filter(|part| part.name.ends_with("eye")).count();
+        assert_eq!((0..part.len()).filter(|i| part[*i] == *i).count(), 1 + eyes, "{who}");
     }
 }
 
