@@ -66,6 +66,19 @@ refused: q has 3 numbers; it must have 66
 }
 
 #[test]
+fn the_program_of_the_readme_says_what_a_person_is() {
+    let readme = include_str!("../README.md");
+    let (_, rest) = readme.split_once("```c\n").expect("a program");
+    let (program, _) = rest.split_once("```").expect("its end");
+    let place = tempfile::tempdir().expect("a folder");
+    let source = place.path().join("readme.c");
+    std::fs::write(&source, program).expect("written");
+    if let Some(said) = output("cc", source.to_str().expect("a path"), "-std=c99") {
+        assert_eq!(said, "58 kg in 66 degrees of freedom\n");
+    }
+}
+
+#[test]
 fn a_cpp_program_takes_snapshots() {
     if let Some(said) = output("c++", "swing.cpp", "-std=c++17") {
         let lines: Vec<&str> = said.lines().collect();
