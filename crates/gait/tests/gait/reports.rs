@@ -87,7 +87,7 @@ fn a_smooth_walk_is_written_with_units_in_its_keys() {
             "walk_ratio_m_min": stride.step_length / stride.cadence,
         })
     );
-    let [recipe, _] = band_reports(&stride);
+    let recipe = &band_reports(&stride)[0];
     let written = serde_json::to_value(&recipe).expect("written");
     assert_eq!((&written["name"], &written["of"]), (&json!("recipe"), &json!(22)));
     assert_eq!(written["inside"], json!(recipe.checks.iter().filter(|check| check.inside).count()));
