@@ -83,6 +83,8 @@ struct SceneReader<'l> {
     /// Degrees of freedom whose drives are given by more than a pattern.
     named: parts::Named,
     sequenced: parts::Sequenced,
+    /// How many drives repeats and patterns have made so far.
+    made: usize,
     motors: actuators::Motors,
     ties: loops::Asked,
 }
@@ -144,6 +146,7 @@ impl<'l> SceneReader<'l> {
             lasts: None,
             named: parts::Named::new(),
             sequenced: parts::Sequenced::default(),
+            made: 0,
             motors: actuators::Motors::default(),
             ties: loops::Asked::new(),
         }

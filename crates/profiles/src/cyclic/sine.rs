@@ -11,6 +11,9 @@ use crate::sample::Sample;
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
+/// The largest phase (rad), of either sign: of one far beyond, a whole turn is less than its last digit.
+const LARGEST_PHASE: f64 = 1e6;
+
 /// A sine about an offset.
 ///
 /// ```text
@@ -51,12 +54,12 @@ impl<F: Elementary> Sine<F> {
     ///
     /// # Errors
     ///
-    /// A period that is not positive, cycles that are not more than 0 and at most 1e6, numbers that are not finite or lead to such.
+    /// A period that is not positive, cycles that are not more than 0 and at most 1e6, a phase beyond ±1e6 rad, numbers that are not finite or lead to such.
     pub fn new(amplitude: F, period: F, cycles: f64, phase: F, offset: F) -> Result<Self, ProfileError> {
         check_finite("amplitude", &[amplitude])?;
         check_range("period", period, Range::POSITIVE)?;
         check_times("cycles", cycles, f64::MIN_POSITIVE)?;
-        check_finite("phase", &[phase])?;
+        check_range("phase", phase, Range::closed(-LARGEST_PHASE, LARGEST_PHASE))?;
         check_finite("offset", &[offset])?;
         let omega = F::from_f64(TAU) / period;
         check_overflow("largest jerk", &[omega * omega * omega * amplitude])?;

@@ -96,6 +96,25 @@ fn what_cannot_be_is_refused_by_its_name() {
     }
 }
 
+/// A phase of 1e154° kept the search for turns going for ever: half a turn more was no other number.
+#[test]
+fn a_phase_of_more_turns_than_can_be_told_apart_is_refused() {
+    let sine = |phase| Profile::Sine { amplitude: 1.0, period: 1.0, cycles: 2.0, phase, offset: 0.0 };
+    for phase in [1e6, -1e6] {
+        let curve = sine(phase).curve::<f64>().expect("at the limit");
+        let found = curve.stationary().points;
+        assert_eq!(found.len(), 4, "{found:?}");
+        assert!(found.iter().all(|point| curve.at(point.time).velocity.abs() < 1e-8), "{found:?}");
+    }
+    for phase in [1e6_f64.next_up(), -1e6_f64.next_up(), 1e154_f64.to_radians()] {
+        let error = sine(phase).curve::<f64>().expect_err("refused").to_string();
+        assert!(
+            error.starts_with("phase is ") && error.ends_with("at least -1000000 and at most 1000000"),
+            "{error}"
+        );
+    }
+}
+
 #[cfg(feature = "text")]
 #[test]
 fn they_are_written_and_read() {

@@ -12,6 +12,7 @@ mod displacement_hard;
 mod displacement_laws;
 mod feasible_laws;
 mod limited_laws;
+mod limits;
 mod natural_laws;
 mod polynomial_laws;
 mod profile;

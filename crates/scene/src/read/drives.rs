@@ -78,6 +78,12 @@ impl SceneReader<'_> {
 
     /// Whether these degrees of freedom can have these drives; each that they cannot have is a fault, once.
     pub(super) fn can_have(&mut self, dofs: &[usize], steps: &[Placed]) -> bool {
+        // Each has its own; one of each is no more than the figure is.
+        if let [.., (last, _)] = steps
+            && !self.make(last.clone(), dofs.len().saturating_sub(1) * (steps.len() - 1))
+        {
+            return false;
+        }
         let Some(mut trial) = self.simulation.clone() else { return false };
         let mut good = true;
         for (i, (span, step)) in steps.iter().enumerate() {

@@ -148,7 +148,7 @@ impl SceneReader<'_> {
         }
         let tree = Tree::new(figure, Vector3::zeros()).map_err(|error| whole(error.to_string()))?;
         let mut placed = Placed { workspace: Workspace::new(&tree), tree };
-        let times = samples::times(asked, duration, beforehand.is_still());
+        let times = samples::times(asked, duration, beforehand.is_still()).map_err(whole)?;
         let mut samples = Samples::new(&layers, times, beforehand.is_still());
         for k in 0..samples.times.len() {
             let mut q = beforehand.positions(figure, samples.times[k]);

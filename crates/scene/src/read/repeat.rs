@@ -3,11 +3,15 @@
 use super::SceneReader;
 use super::drives::Placed;
 use solaris_model::text::{Content, Node};
+use std::ops::Range;
 
 const EXAMPLE: &str = "[Move(to: 1, over: 0.5), Move(to: 0, over: 0.5)]";
 
 /// The most drives that one degree of freedom can have.
 const MOST: usize = 100_000;
+
+/// The most drives that repeats and patterns can make of those that are written, in a scene.
+const MOST_MADE: usize = 300_000;
 
 /// Drives one after the other.
 #[derive(Clone, Default)]
@@ -73,15 +77,32 @@ impl SceneReader<'_> {
             return;
         };
         let times = times.unwrap_or(1);
-        if times.saturating_mul(inner.steps.len()) > MOST {
+        let made = times.saturating_mul(inner.steps.len());
+        if made.saturating_add(found.steps.len()) > MOST {
             let message =
                 format!("that comes to more than {MOST} drives; leave 'times' out to repeat without end");
             self.reader.fault(span, message);
             return;
         }
+        if !self.make(span, made) {
+            return;
+        }
         for _ in 0..times {
             found.steps.extend(inner.steps.iter().cloned());
         }
+    }
+
+    /// Whether so many more drives may be made of what stands at a place; a fault where they may not.
+    pub(super) fn make(&mut self, span: Range<usize>, count: usize) -> bool {
+        self.made = self.made.saturating_add(count);
+        let is_within = self.made <= MOST_MADE;
+        if !is_within {
+            let message = format!(
+                "all that is repeated comes to more than {MOST_MADE} drives in this scene; leave 'times' out to repeat without end"
+            );
+            self.reader.fault(span, message);
+        }
+        is_within
     }
 
     fn times(&mut self, node: &Node<'_>) -> Option<usize> {

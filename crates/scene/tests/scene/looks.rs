@@ -209,3 +209,21 @@ fn what_cannot_be_looked_at_is_said_with_the_angle() {
     assert!(hold.starts_with("'left_foot' cannot be held as it should all of the time: at 0.5"), "{hold}");
     assert!(look.contains('°') && look.ends_with("° away, as near as its joints come"), "{look}");
 }
+
+/// A look that begins at 1e300 s was to be sampled until then, which no memory holds.
+#[test]
+fn what_begins_long_after_the_run_is_refused_instead_of_found() {
+    let text = |end: f64| {
+        format!(
+            r#"Scene(version: 1, duration: 1, figures: {{"ann": Human(height: 1.75, mass: 73.0)}}, drives: {{"*": Frozen}},
+            reaches: [Look(tip: "head", by: ["head"], to: (0.0, 1.5, 3.0), from: 0, over: 0.5),
+            Look(tip: "head", by: ["head"], to: (0.1, 1.5, 3.0), from: {}, over: 1)])"#,
+            end - 1.0
+        )
+    };
+    assert!(read(&text(1800.0), &mut NoFiles).is_ok());
+    for end in [1801.0, 1e9, 1e300] {
+        let error = read(&text(end), &mut NoFiles).expect_err("refused").to_string();
+        assert!(error.contains("of the run; that may be 1800 s at most"), "{error}");
+    }
+}

@@ -5,6 +5,7 @@ mod faults;
 mod faults_words;
 mod fixtures;
 mod grammar;
+mod limits;
 mod looks;
 mod motors;
 mod runs;

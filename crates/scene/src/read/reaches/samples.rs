@@ -10,6 +10,9 @@ use solaris_profiles::{Curve, Profile};
 /// Samples a second of the motion that is followed; between them it follows curves of degree five.
 const RATE: f64 = 240.0;
 
+/// The longest part of a run in which something is on its way, of which the motion is found before it (s).
+const LONGEST_FOUND: f64 = 1800.0;
+
 /// The fewest samples between two times at which something begins or ends.
 const FEWEST: usize = 4;
 
@@ -33,8 +36,8 @@ pub(super) struct Samples {
 }
 
 /// Times of the run (s) that divide evenly what lies between the beginnings and ends of all that is asked; where nothing else moves, from the
-/// first beginning to the last end, else all of it.
-pub(super) fn times(asked: &[Asked], duration: f64, still: bool) -> Vec<f64> {
+/// first beginning to the last end, else all of it. Refused is what would be more samples than can be found in a moment.
+pub(super) fn times(asked: &[Asked], duration: f64, still: bool) -> Result<Vec<f64>, String> {
     let mut marks = Vec::new();
     for one in asked {
         marks.extend([one.from, one.from + one.over, one.until, one.until + one.back]);
@@ -49,13 +52,21 @@ pub(super) fn times(asked: &[Asked], duration: f64, still: bool) -> Vec<f64> {
     marks.retain(|mark| mark.is_finite());
     marks.sort_by(f64::total_cmp);
     marks.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    if let [first, .., last] = marks[..]
+        && last - first > LONGEST_FOUND
+    {
+        return Err(format!(
+            "these are found from {first} s to {last} s of the run; that may be {LONGEST_FOUND} s at most: let them begin later, and end \
+             earlier, or make the run shorter"
+        ));
+    }
     let mut times: Vec<f64> = marks.first().copied().into_iter().collect();
     for ends in marks.windows(2) {
         let length = ends[1] - ends[0];
         let count = ((length * RATE).ceil() as usize).max(FEWEST);
         times.extend((1..=count).map(|k| ends[0] + length * k as f64 / count as f64));
     }
-    times
+    Ok(times)
 }
 
 impl Samples {
