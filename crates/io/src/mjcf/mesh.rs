@@ -14,7 +14,7 @@ use super::orientation::wxyz;
 use crate::loader::{Loader, within};
 use crate::xml::{Reader, elements_called};
 use integrals::Counted;
-use solaris_model::{UnitQuaternion, Vector3};
+use solaris_model::{Figure, UnitQuaternion, Vector3};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -67,9 +67,17 @@ impl<'l> Meshes<'l> {
         let shift = element.numbers(reader, "refpos").map_or_else(Vector3::zeros, Vector3::from);
         let turn: Option<[f64; 4]> = element.numbers(reader, "refquat");
         let turn = turn.and_then(|numbers| wxyz(&numbers)).unwrap_or_else(UnitQuaternion::identity);
+        let is_within = |corner: &Vector3<f64>| corner.iter().all(|x| x.abs() <= Figure::LONGEST);
         for triangle in &mut triangles {
             for corner in triangle.iter_mut() {
                 *corner = (turn.inverse() * (*corner - shift)).component_mul(&scale);
+                // What areas and volumes are made of has to stay finite.
+                if !is_within(corner) {
+                    return Err(format!(
+                        "a corner lies more than {:e} m away along an axis; is its 'scale' right, and its file whole?",
+                        Figure::LONGEST
+                    ));
+                }
             }
             if scale.product() < 0.0 {
                 triangle.swap(1, 2);

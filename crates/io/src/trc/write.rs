@@ -6,8 +6,8 @@ use crate::markers::LengthUnit;
 use solaris_model::MarkerTrial;
 use std::io::Write;
 
-/// Writes a trial as TRC, with `title` as its file's name and lengths in `unit` to a thousandth of a micrometre. A marker that
-/// was hidden has blank cells.
+/// Writes a trial as TRC, with `title` as its file's name and lengths in `unit` to a thousandth of a micrometre. Times have nine
+/// decimals, or all of their digits where frames are nearer to each other than that. A marker that was hidden has blank cells.
 ///
 /// # Errors
 ///
@@ -48,8 +48,8 @@ pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl W
     }
     write!(out, "\n\n")?;
     let decimals = (9.0 + unit.metres().log10().floor()) as usize;
-    for (frame, time) in trial.time().iter().enumerate() {
-        write!(out, "{}\t{}", frame + 1, number(*time, 9))?;
+    for (frame, time) in times(trial.time()).iter().enumerate() {
+        write!(out, "{}\t{time}", frame + 1)?;
         for point in trial.frame(frame) {
             if point.x.is_nan() {
                 write!(out, "\t\t\t")?;
@@ -62,6 +62,13 @@ pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl W
         writeln!(out)?;
     }
     Ok(())
+}
+
+/// Times (s) that grow as they are read again.
+fn times(time: &[f64]) -> Vec<String> {
+    let rounded: Vec<String> = time.iter().map(|time| number(*time, 9)).collect();
+    let grow = rounded.windows(2).all(|pair| pair[0] != pair[1]);
+    if grow { rounded } else { time.iter().map(f64::to_string).collect() }
 }
 
 /// A text that fits in a cell.

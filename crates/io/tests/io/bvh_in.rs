@@ -339,3 +339,29 @@ fn hostile_texts_end() {
         let _ = read(&ODD[..end], &ReadOptions::default());
     }
 }
+
+/// A chain of bones of some hundred or thousand kilometres, whose names are no person's: rods of its lengths.
+fn long_chain(length: &str) -> String {
+    format!(
+        "HIERARCHY\nROOT tail\n{{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n \
+         JOINT tip\n {{\n  OFFSET {length} 0 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n  End Site\n  {{\n   OFFSET 0 -20 0\n  }}\n }}\n}}\n\
+         MOTION\nFrames: 2\nFrame Time: 0.1\n0 0 0 0 0 0 0 0 0\n1 0 0 0 0 0 0 0 0\n"
+    )
+}
+
+/// Of bones as long as a country the guessed mass is beyond what a link may have; the mass that is asked for is not written in the file.
+#[test]
+fn bones_that_would_weigh_more_than_any_link_are_refused_unless_their_mass_is_asked_for() {
+    let heavy = long_chain("2e8");
+    let unit = Some(Unit::default());
+    let error =
+        read(&heavy, &ReadOptions { unit, ..ReadOptions::default() }).expect_err("refused").to_string();
+    assert!(error.contains("link 'tail': mass is ") && error.contains("it must be at most 1e20"), "{error}");
+    let asked = ReadOptions { unit, mass: Some(70.0), ..ReadOptions::default() };
+    let found = read(&heavy, &asked).expect("a clip");
+    assert!((found.figure.mass() - 70.0).abs() < 1e-9);
+    let again = read(&written(&found), &asked).expect("what was written");
+    assert_eq!(again.motion.len(), found.motion.len());
+    let light = read(&long_chain("1e7"), &ReadOptions { unit, ..ReadOptions::default() }).expect("a clip");
+    assert!(light.figure.links().iter().all(|link| link.mass() <= Figure::HEAVIEST));
+}

@@ -61,6 +61,18 @@ fn what_is_written_is_read_again() {
     }
 }
 
+/// Nine decimals made one time of two, which is not read.
+#[test]
+fn frames_nearer_than_a_nanosecond_are_read_again_apart() {
+    for time in [vec![0.0, 2.1e-302, 0.04], vec![0.0, 5.6e-26, 1.1e-25], vec![1.0, 1.0_f64.next_up()]] {
+        let points = vec![Vector3::new(0.1, 1.7, -0.05); time.len()];
+        let trial = MarkerTrial::new(vec!["head".to_owned()], time.clone(), points).expect("a trial");
+        let mut text = Vec::new();
+        write(&trial, "a.trc", LengthUnit::Millimetres, &mut text).expect("written");
+        assert_eq!(of(&String::from_utf8(text).expect("text")).markers.time(), time);
+    }
+}
+
 #[test]
 fn other_line_ends_marks_and_commas_change_nothing() {
     let plain = of(&file(FRAMES));

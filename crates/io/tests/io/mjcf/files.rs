@@ -208,3 +208,28 @@ fn missing_meshes_are_summed_up() {
                     have no other mass";
     assert_eq!(said, [expected]);
 }
+
+/// Corners beyond what 32 bits hold gave an area of NaN m².
+#[test]
+fn a_mesh_beyond_all_range_is_said_to_be_that() {
+    let said = |far: &str, scale: &str| {
+        let corners = format!("0 0 0 {far} 0 0 0 {far} 0 0 0 {far}");
+        let text = format!(
+            "<mujoco><asset><mesh name='m' scale='{scale} {scale} {scale}' vertex='{corners}' face='0 2 1 0 1 3 0 3 2 1 2 3'/></asset>\
+             <worldbody><body name='b'><joint name='j'/><geom type='mesh' mesh='m' density='1e-12'/></body></worldbody></mujoco>"
+        );
+        let loaded = mjcf::read_with(&text, &mut NoFiles).unwrap_or_else(|error| panic!("{error}"));
+        let findings = loaded.import.findings.iter().map(ToString::to_string);
+        findings.filter(|said| said.contains("'m'")).collect::<Vec<_>>().join("\n")
+    };
+    for (far, scale) in [("1e9", "1"), ("1", "-1e9"), ("1e-30", "1e38")] {
+        assert_eq!(said(far, scale), "", "{far} times {scale}");
+    }
+    for (far, scale) in
+        [("1e39", "1"), ("1e39", "0"), ("1.0000001e9", "1"), ("1", "1.1e9"), ("1e30", "1e300")]
+    {
+        let said = said(far, scale);
+        assert!(said.contains("a corner lies more than 1e9 m away"), "{far} times {scale}: {said}");
+        assert!(!said.contains("NaN"), "{said}");
+    }
+}
