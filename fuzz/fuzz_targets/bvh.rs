@@ -18,21 +18,21 @@ target!(|bytes: &[u8]| {
             figure(&source, &clip.figure);
             let table = clip.table_of(&clip.figure).expect("the clip's own figure");
             solaris_fuzz::table(&source, &table);
-            again(&clip);
+            again(&clip, options.mass);
         }
         Err(error) => refused(&error),
     }
 });
 
-/// Panics where the written clip of a body of any sensible size is not read.
-fn again(clip: &Clip) {
+/// Panics where the written clip of a body of any sensible size is not read; the file does not know a mass that was asked for.
+fn again(clip: &Clip, mass: Option<f64>) {
     if clip.figure.extent(&Vector3::y()).height > 1e6 {
         return;
     }
     let mut written = Vec::new();
     if bvh::write(&clip.figure, &clip.motion, clip.unit, &mut written).is_ok() {
         let written = String::from_utf8(written).expect("text");
-        let options = ReadOptions { unit: Some(clip.unit), ..ReadOptions::default() };
+        let options = ReadOptions { unit: Some(clip.unit), mass, ..ReadOptions::default() };
         match bvh::read(&written, &options) {
             Ok(again) => assert_eq!(again.motion.len(), clip.motion.len(), "{written}"),
             Err(error) => panic!("what was written is not read: {error}\n{written}"),

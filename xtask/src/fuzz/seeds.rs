@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 const LONGEST: usize = 65_536;
 const MOST_LINES: usize = 30;
 
+/// Lengths of the seeds of targets that take bytes as numbers.
+const LENGTHS: [usize; 6] = [16, 48, 96, 192, 384, 1536];
+
 /// Of each target, the files and folders of `crates` whose words it knows.
 const WORDS: [(&str, &[&str]); 20] = [
     ("bvh", &["io/src/bvh", "model/src/rig.rs"]),
@@ -74,7 +77,11 @@ pub(super) fn write(folder: &Path) -> Result<(), String> {
         }
         fs::create_dir_all(&own).map_err(failed)?;
         fs::create_dir_all(folder.join("corpus").join(target)).map_err(failed)?;
-        for (i, bytes) in seeds.remove(target).unwrap_or_default().iter().enumerate() {
+        let mut seeds = seeds.remove(target).unwrap_or_default();
+        if places.is_empty() {
+            seeds.extend(LENGTHS.map(any_bytes));
+        }
+        for (i, bytes) in seeds.iter().enumerate() {
             fs::write(own.join(format!("{i}")), bytes).map_err(failed)?;
         }
         let places: Vec<PathBuf> = places.iter().map(|place| crates.join(place)).collect();
@@ -152,6 +159,18 @@ fn files(folders: &[PathBuf]) -> BTreeSet<PathBuf> {
     found
 }
 
+/// So many bytes of all kinds, the same each time.
+fn any_bytes(length: usize) -> Vec<u8> {
+    let mut state = length as u64;
+    let mut next = || {
+        // Splitmix64.
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        ((x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb) >> 56) as u8
+    };
+    (0..length).map(|_| next()).collect()
+}
+
 /// The words and short pieces of markup in the code of these files, as libFuzzer reads them.
 fn dictionary(places: &[PathBuf]) -> String {
     const MOST: usize = 60;
@@ -179,5 +198,6 @@ fn dictionary(places: &[PathBuf]) -> String {
         };
         format!("\"{}\"\n", word.chars().map(escape).collect::<String>())
     };
-    words.iter().map(quoted).collect()
+    // Without anything in it, libFuzzer would not start.
+    std::iter::once("# The words of its reader.\n".to_owned()).chain(words.iter().map(quoted)).collect()
 }
