@@ -340,7 +340,7 @@ fn hostile_texts_end() {
     }
 }
 
-/// A chain of bones of a thousand kilometres, whose names are no person's: rods of its lengths.
+/// A chain of bones of some hundred or thousand kilometres, whose names are no person's: rods of its lengths.
 fn long_chain(length: &str) -> String {
     format!(
         "HIERARCHY\nROOT tail\n{{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n \
@@ -352,7 +352,7 @@ fn long_chain(length: &str) -> String {
 /// Of bones as long as a country the guessed mass is beyond what a link may have; the mass that is asked for is not written in the file.
 #[test]
 fn bones_that_would_weigh_more_than_any_link_are_refused_unless_their_mass_is_asked_for() {
-    let heavy = long_chain("1e8");
+    let heavy = long_chain("2e8");
     let unit = Some(Unit::default());
     let error =
         read(&heavy, &ReadOptions { unit, ..ReadOptions::default() }).expect_err("refused").to_string();

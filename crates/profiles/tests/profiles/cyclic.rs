@@ -106,7 +106,7 @@ fn a_phase_of_more_turns_than_can_be_told_apart_is_refused() {
         assert_eq!(found.len(), 4, "{found:?}");
         assert!(found.iter().all(|point| curve.at(point.time).velocity.abs() < 1e-8), "{found:?}");
     }
-    for phase in [1e6_f64.next_up(), -1e6_f64.next_up(), 1e154_f64.to_radians()] {
+    for phase in [1e6_f64.next_up(), -(1e6_f64.next_up()), 1e154_f64.to_radians()] {
         let error = sine(phase).curve::<f64>().expect_err("refused").to_string();
         assert!(
             error.starts_with("phase is ") && error.ends_with("at least -1000000 and at most 1000000"),

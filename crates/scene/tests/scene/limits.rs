@@ -39,7 +39,7 @@ fn drives_that_a_pattern_makes_of_a_repeat_are_counted_together() {
         read(&text, &mut NoFiles).err().map_or_else(String::new, |error| error.to_string())
     };
     // 66 degrees of freedom: times + 65·(times − 1) of them are made.
-    ends_at((300_000 + 65) / 66, "comes to more than 300000 drives in this scene", person);
+    ends_at(300_065 / 66, "comes to more than 300000 drives in this scene", person);
 }
 
 #[test]

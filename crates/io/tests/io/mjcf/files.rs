@@ -213,15 +213,16 @@ fn missing_meshes_are_summed_up() {
 #[test]
 fn a_mesh_beyond_all_range_is_said_to_be_that() {
     let said = |far: &str, scale: &str| {
+        let corners = format!("0 0 0 {far} 0 0 0 {far} 0 0 0 {far}");
         let text = format!(
-            "<mujoco><asset><mesh name='m' scale='{scale} 1 1' vertex='0 0 0 {far} 0 0 0 1 0 0 0 1' face='0 2 1 0 1 3 0 3 2 1 2 3'/></asset>\
-             <worldbody><body name='b'><joint name='j'/><geom size='.1'/><geom type='mesh' mesh='m'/></body></worldbody></mujoco>"
+            "<mujoco><asset><mesh name='m' scale='{scale} {scale} {scale}' vertex='{corners}' face='0 2 1 0 1 3 0 3 2 1 2 3'/></asset>\
+             <worldbody><body name='b'><joint name='j'/><geom type='mesh' mesh='m' density='1e-12'/></body></worldbody></mujoco>"
         );
         let loaded = mjcf::read_with(&text, &mut NoFiles).unwrap_or_else(|error| panic!("{error}"));
         let findings = loaded.import.findings.iter().map(ToString::to_string);
         findings.filter(|said| said.contains("'m'")).collect::<Vec<_>>().join("\n")
     };
-    for (far, scale) in [("1e9", "1"), ("1", "-1e9"), ("1e-30", "1e39")] {
+    for (far, scale) in [("1e9", "1"), ("1", "-1e9"), ("1e-30", "1e38")] {
         assert_eq!(said(far, scale), "", "{far} times {scale}");
     }
     for (far, scale) in
