@@ -84,7 +84,8 @@ fn what_is_written_asks_nothing_of_the_network() {
     let folder = tempfile::tempdir().expect("a folder");
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let pendulum = fs::read_to_string(fixtures.join("scenes/pendulum.ron")).expect("a scene");
-    fs::write(folder.path().join("short.ron"), pendulum.replace("duration: 10.0", "duration: 0.1")).expect("written");
+    fs::write(folder.path().join("short.ron"), pendulum.replace("duration: 10.0", "duration: 0.1"))
+        .expect("written");
     let commands = [
         "walk --steps 2 --rate 30 -o walk.html -o walk.csv -o walk.bvh -o walk.glb -o walk.usda -o walk.svg --report walk.json",
         "run F/scenes/pendulum.ron -o run.html -o run.svg -o run.sto --report run.json",

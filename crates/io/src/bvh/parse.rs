@@ -315,7 +315,7 @@ fn rows(cursor: &mut Cursor, found: &mut Text) -> Result<(), TextError> {
     found.count = found.values.len().checked_div(found.width).unwrap_or(0);
     match uneven {
         // Frames over several lines are as good, if all are there.
-        Some((span, count)) if found.values.len() != said * found.width => cursor
+        Some((span, count)) if Some(found.values.len()) != said.checked_mul(found.width) => cursor
             .fault(span, format!("the line has {count} numbers, and the hierarchy {} channels", found.width)),
         _ => Ok(()),
     }

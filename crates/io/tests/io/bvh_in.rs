@@ -365,3 +365,13 @@ fn bones_that_would_weigh_more_than_any_link_are_refused_unless_their_mass_is_as
     let light = read(&long_chain("1e7"), &ReadOptions { unit, ..ReadOptions::default() }).expect("a clip");
     assert!(light.figure.links().iter().all(|link| link.mass() <= Figure::HEAVIEST));
 }
+
+/// As many frames as no memory holds: times the channels they were more than a number of the machine.
+#[test]
+fn frames_beyond_counting_beside_lines_of_two_lengths_are_told_by_their_line() {
+    let text = long_chain("20")
+        .replace("Frames: 2", "Frames: 10000000004294967296")
+        .replace("\n1 0 0 0 0 0 0 0 0\n", "\n1 0 0\n");
+    let error = read(&text, &ReadOptions::default()).expect_err("refused").to_string();
+    assert!(error.contains("the line has 3 numbers, and the hierarchy 9 channels"), "{error}");
+}
