@@ -28,7 +28,6 @@ mod walk;
 mod walker;
 
 pub use crate::limbs::swing::Toes;
-pub(crate) use backward::BACKWARD_STEP;
 pub use footfall::Footfall;
 pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};

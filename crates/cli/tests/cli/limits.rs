@@ -9,7 +9,7 @@ const READERS: [&str; 7] = ["cli", "files", "io", "model", "profiles", "scene", 
 
 /// Constants of such names that limit no input: what is shown of many things, what is looked at for hints, what a format holds or a formula
 /// takes.
-const OTHERS: [(&str, &str); 18] = [
+const OTHERS: [(&str, &str); 19] = [
     ("cli/src/profile/summary.rs", "MOST_KEYS"),
     ("cli/src/underline.rs", "MOST_SHOWN"),
     ("io/src/c3d/layout.rs", "MOST"),
@@ -21,6 +21,7 @@ const OTHERS: [(&str, &str); 18] = [
     ("io/src/record/forces.rs", "MOST_HEADINGS"),
     ("io/src/table.rs", "MOST"),
     ("model/src/configuration.rs", "MOST"),
+    ("model/src/human.rs", "MOST_LOAD"),
     ("model/src/lint/inertia.rs", "MOST_GYRATION"),
     ("model/src/lint/mirror.rs", "FARTHEST"),
     ("model/src/lint/sides.rs", "LONGEST"),

@@ -3,7 +3,6 @@
 use super::pace::{DEFAULT_STEP_FREQUENCY, StepLaw, WALK_RATIO};
 use super::sheet::{CADENCE, STEP_LENGTH, StyleSheet};
 use crate::body::REFERENCE_HEIGHT;
-use crate::smooth::BACKWARD_STEP;
 
 /// Step length of people on a treadmill over height and step frequency (min): 0.0031 ± 0.0004.
 const TREADMILL_RATIO: f64 = 0.0031;
@@ -13,6 +12,11 @@ const OLDER_OVER_YOUNG: f64 = 0.90;
 const OLDER_DOUBLE_SUPPORT: f64 = 0.012;
 /// Body mass indices up to which a gait is anybody's, and beyond which it changes at an even rate (kg/m²).
 const HEAVY: (f64, f64) = (25.0, 30.0);
+
+/// Length of a step backward over one forward at the same step frequency. People keep their step frequency and shorten their steps, older
+/// ones more (Y. Laufer, *J. Gerontol. A* 60 (2005) 627–632, from its abstract, which does not say by how much): our choice, the ratio of
+/// steps on a treadmill, at which walks forward are held against measured people.
+const BACKWARD_STEP: f64 = TREADMILL_RATIO / WALK_RATIO;
 
 /// By which part the step frequency that nobody asked for is lower at 35 kg/m².
 const HEAVY_CADENCE: f64 = 0.05;

@@ -11,11 +11,6 @@ use crate::request::{Stairs, WalkGround, WalkRequest};
 use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::walk::WalkPlan;
 
-/// Length of a step backward over one forward at the same step frequency. People keep their step frequency and shorten their steps, older
-/// ones more (Y. Laufer, *J. Gerontol. A* 60 (2005) 627–632, from its abstract, which does not say by how much): our choice, the ratio of
-/// steps on a treadmill, at which walks forward are held against measured people.
-pub(crate) const BACKWARD_STEP: f64 = 0.0031 / 0.0037;
-
 /// Parameters of the style that a standing posture depends on.
 const STANDING: [&str; 4] = ["step-width", "foot-yaw", "thorax-lean", "anterior-tilt"];
 

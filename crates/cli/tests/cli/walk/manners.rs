@@ -89,6 +89,7 @@ fn every_example_of_the_help_runs() {
     }
     let written = [
         "about.html",
+        "back.html",
         "child.csv",
         "child.html",
         "corner.html",
