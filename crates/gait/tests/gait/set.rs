@@ -117,7 +117,7 @@ fn a_set_is_written_with_units_in_its_keys() {
     let set = clip_set(&person(1.75, 73.0), &SetRequest::default()).expect("a set");
     let written = serde_json::to_value(&set).expect("written");
     assert_eq!((&written["rate_per_s"], &written["usual"]), (&30.0.into(), &"walk_4".into()));
-    let stride = &written["clips"][6];
+    let stride = &written["clips"][8];
     assert_eq!(
         (&stride["name"], &stride["loop"], &stride["frames"]),
         (&"walk_4".into(), &true.into(), &33.into())
