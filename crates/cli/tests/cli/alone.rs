@@ -34,6 +34,11 @@ fn leads_out(text: &str) -> Vec<&str> {
 
 /// Why a file does not stand alone.
 fn fault(name: &str, bytes: &[u8]) -> Option<String> {
+    // Of a `.glb` the first chunk is text; in numbers anything may stand.
+    let bytes = match bytes.get(12..16).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes) {
+        Some(length) if bytes.starts_with(b"glTF") => &bytes[20..20 + length as usize],
+        _ => bytes,
+    };
     let mut text = String::from_utf8_lossy(bytes).into_owned();
     for name in NAMES {
         text = text.replace(name, "");
