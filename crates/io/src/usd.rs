@@ -173,12 +173,12 @@ impl Stage<'_> {
                 }
             }
             before = places.iter().map(|place| place.rotation).collect();
-            let moved = || moving.iter().map(|i| &places[*i]);
-            let turned = moved().map(|place| {
+            let moved: Vec<&Placement> = moving.iter().map(|i| &places[*i]).collect();
+            let turned = moved.iter().map(|place| {
                 let [x, y, z, w] = place.rotation.coords.map(|x| x as f32).into();
                 format!("({w}, {x}, {y}, {z})")
             });
-            let slid = moved().map(|place| triple(place.translation.vector.map(|x| x as f32).into()));
+            let slid = moved.iter().map(|place| triple(place.translation.vector.map(|x| x as f32).into()));
             let line = |all: Vec<String>| format!("            {code}: [{}],\n", all.join(", "));
             turns += &line(turned.collect());
             slides += &line(slid.collect());

@@ -96,7 +96,9 @@ pub(crate) fn parts(figure: &Figure) -> Vec<Part> {
     let mut parts = Vec::new();
     for side in SIDES {
         let link = sizes.index(&side.name("hand"));
-        digits::digits(&sizes, side).iter().for_each(|digit| digit.parts(side, link, &mut parts));
+        for digit in digits::digits(&sizes, side) {
+            digit.parts(side, link, &mut parts);
+        }
     }
     parts.extend(SIDES.map(|side| eyes::part(&sizes, side)));
     parts

@@ -81,11 +81,14 @@ impl<'a> Series<'a> {
         }
         let first = figure.layout().joints()[0].q + 3;
         let facing = |i: usize| motion.q(i)[first + if seen { 0 } else { 1 }].sin_cos();
-        let ways = com.windows(2).enumerate().map(|(i, pair)| {
-            let ((sin, cos), way) = (facing(i), pair[1] - pair[0]);
-            sin * way.x + cos * way.z
-        });
-        let sense = if ways.sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+        let (mut ahead, mut way) = (0.0, 0.0);
+        for (i, pair) in com.windows(2).enumerate() {
+            let ((sin, cos), step) = (facing(i), pair[1] - pair[0]);
+            ahead += sin * step.x + cos * step.z;
+            way += step.norm();
+        }
+        // On the spot nobody goes backward, whatever rounding says.
+        let sense = if ahead < -0.5 * way { -1.0 } else { 1.0 };
         let mass = figure.mass();
         let joint = |side: usize, joint: usize| {
             let name = format!("{}_{}", ["left", "right"][side], JOINTS[joint].0);

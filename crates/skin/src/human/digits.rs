@@ -56,13 +56,13 @@ const DIGITS: [Drawn; 5] = [
     Drawn { name: "thumb", base: [-0.006, -0.022, 0.022], at: [-0.019, -0.058, 0.045], bones: &[0.0316, 0.0274],
         sections: THUMB, thick: 1.0, spread: [0.0, 0.0], bent: &[0.0, 0.15] },
     Drawn { name: "index", base: [0.0, -0.022, 0.016], at: [0.0, -0.0875, 0.0290], bones: &[0.0398, 0.0224, 0.0196],
-        sections: FINGER, thick: 1.0, spread: [0.42, 0.045], bent: &[0.26, 0.42, 0.22] },
+        sections: FINGER, thick: 1.0, spread: [0.42, 0.055], bent: &[0.26, 0.42, 0.22] },
     Drawn { name: "middle", base: [0.0, -0.022, 0.004], at: [0.0005, -0.0895, 0.0095], bones: &[0.0446, 0.0263, 0.0214],
-        sections: FINGER, thick: 1.02, spread: [0.14, 0.010], bent: &[0.32, 0.48, 0.25] },
+        sections: FINGER, thick: 1.02, spread: [0.14, 0.008], bent: &[0.32, 0.48, 0.25] },
     Drawn { name: "ring", base: [0.0, -0.022, -0.008], at: [-0.0005, -0.0855, -0.0095], bones: &[0.0414, 0.0257, 0.0213],
-        sections: FINGER, thick: 0.95, spread: [-0.14, -0.030], bent: &[0.38, 0.52, 0.27] },
-    Drawn { name: "little", base: [0.0, -0.022, -0.016], at: [-0.002, -0.0785, -0.0270], bones: &[0.0327, 0.0181, 0.0197],
-        sections: FINGER, thick: 0.85, spread: [-0.44, -0.080], bent: &[0.42, 0.50, 0.27] },
+        sections: FINGER, thick: 0.95, spread: [-0.14, -0.044], bent: &[0.38, 0.52, 0.27] },
+    Drawn { name: "little", base: [0.0, -0.022, -0.016], at: [-0.002, -0.0785, -0.0280], bones: &[0.0327, 0.0181, 0.0197],
+        sections: FINGER, thick: 0.85, spread: [-0.50, -0.110], bent: &[0.42, 0.50, 0.27] },
 ];
 
 /// The way along the thumb, and its back.
@@ -74,6 +74,9 @@ struct Bone {
     made: (Vector3<f64>, Matrix3<f64>),
     hangs: (Vector3<f64>, Matrix3<f64>),
 }
+
+/// From where something is made to where it hangs: its linear part, its shift (m), and how normals turn.
+pub(super) type Move = (Matrix3<f64>, Vector3<f64>, Matrix3<f64>);
 
 /// A digit of a figure, in the frame of its hand (m).
 pub(super) struct Digit {
@@ -186,7 +189,7 @@ impl Digit {
     }
 
     /// How its three bones bring what goes with them from where it is made to where it hangs: `turn`, `at` and the turn of normals.
-    pub(super) fn moves(&self) -> [Option<(Matrix3<f64>, Vector3<f64>, Matrix3<f64>)>; 3] {
+    pub(super) fn moves(&self) -> [Option<Move>; 3] {
         let long = Matrix3::from_diagonal(&Vector3::new(1.0, STRETCH, 1.0));
         let short = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0 / STRETCH, 1.0));
         let of = |bone: &Bone| {
