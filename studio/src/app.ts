@@ -7,8 +7,8 @@ import { byId, el, number } from './ui/dom.ts';
 import { makeTabs, type Tabs } from './ui/tabs.ts';
 import { view } from './view.ts';
 
-// `viewer` and `style`: what pages of motions are made with.
-export const parts = (globalThis as unknown as { solarisParts: { viewer: string; style: string; worker: string; engine: [string, number, number] } }).solarisParts;
+// `viewer` and `style`: what pages of motions are made with; `worker`: the engine's script; `module`: the engine, compiled.
+export const parts = (globalThis as unknown as { solarisParts: { viewer: string; style: string; worker: string; module: Promise<WebAssembly.Module> } }).solarisParts;
 
 export interface App {
   engine: Engine;
@@ -31,7 +31,7 @@ export interface App {
 }
 
 export function makeApp(): App {
-  const engine = new Engine(parts.worker, { packed: parts.engine });
+  const engine = new Engine(parts.worker, parts.module);
   let second: Promise<Engine> | null = null;
   const tools = makeTabs(byId('tool-tabs'), byId('tools'));
   const results = makeTabs(byId('result-tabs'), byId('results'));
@@ -52,7 +52,7 @@ export function makeApp(): App {
   const self: App = {
     engine,
     background: () => (second ??= self.another()),
-    another: () => engine.module.then((module) => new Engine(parts.worker, { module })),
+    another: async () => new Engine(parts.worker, parts.module),
     show,
     tools,
     results,

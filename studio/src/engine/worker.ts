@@ -10,8 +10,6 @@ import { scenes } from './scenes.ts';
 import { steering } from './steering.ts';
 import { walks } from './walks.ts';
 
-declare const solarisUnpack: (text: string, packed: number, size: number) => Uint8Array;
-
 export interface Context {
   tell: (share: number | null, words: string | null, soFar?: string) => void;
 }
@@ -26,13 +24,6 @@ const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
 };
 
 const say = (reply: Reply, transfer: Transferable[] = []): void => self.postMessage(reply, { transfer });
-
-function begin(how: Begin): void {
-  const module =
-    'module' in how ? how.module : new WebAssembly.Module(solarisUnpack(...how.packed) as Uint8Array<ArrayBuffer>);
-  initSync({ module });
-  if ('packed' in how) say({ module });
-}
 
 function answer({ id, name, args }: Call): void {
   const context: Context = { tell: (share, words, soFar) => say({ id, share, words, soFar }) };
@@ -53,5 +44,5 @@ function answer({ id, name, args }: Call): void {
 
 self.onmessage = ({ data }: MessageEvent<Begin | Call>) => {
   if ('id' in data) answer(data);
-  else begin(data);
+  else initSync({ module: data.module });
 };

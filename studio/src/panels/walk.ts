@@ -68,6 +68,8 @@ export function makeWalkPanel(app: App): WalkPanel {
   let rested: string | null = null;
   // The key of the walk that was shown last.
   let own: number | null = null;
+  // The panel is open before there is anything to walk by.
+  let started = false;
 
   const remark = el('p', { class: 'remark', 'aria-live': 'polite' });
   const sliders = new Map<string, Slider>();
@@ -226,11 +228,14 @@ export function makeWalkPanel(app: App): WalkPanel {
     element,
     shown: () => {
       // What is shown may be somebody else's.
-      if (app.show.isLive() || app.motion?.key !== own) void plan(null);
+      if (started && (app.show.isLive() || app.motion?.key !== own)) void plan(null);
     },
   });
   return {
-    start: () => plan(null),
+    start() {
+      started = true;
+      return plan(null);
+    },
     state: () => ({ who: { ...who }, asked: { ...asked }, touched: [...touched] }),
     restore(state) {
       Object.assign(who, state.who);
