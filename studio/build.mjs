@@ -86,11 +86,19 @@ const held = (id, packed, size) => {
 const packedCode = pack([code], Encoder);
 const packedEngine = pack(split(engine), Encoder);
 if (!same(unpack(packedCode)[0], code) || !same(joined(unpack(packedEngine), engine.length), engine)) throw new Error('what was packed does not come out as it went in');
-// The bar of time and view is that of every page.
+// What every page has stands in the template of pages.
 const page = readFileSync(join(assets, 'page.html'), 'utf8');
-const bar = page.slice(page.indexOf('<div class="bar"'), page.indexOf('<aside'));
+const cut = (from, to) => {
+  const [begins, ends] = [page.indexOf(from), page.indexOf(to)];
+  if (begins < 0 || ends < begins) throw new Error(`the template of pages has nothing from ${from} to ${to}`);
+  return page.slice(begins, ends).trimEnd();
+};
 const values = {
-  bar,
+  legend: cut('<div class="legend"', '<button id="studio"').replace('{{legend}}', ''),
+  keys: cut('<dt><kbd>Space', '<dt>Drag'),
+  gestures: cut('<dt>Drag', '<dt>Click a curve'),
+  nothing: cut('<div id="no-picture"', '<div id="no-studio"'),
+  bar: cut('<div class="bar"', '<aside'),
   style: `${readFileSync(join(assets, 'viewer.css'), 'utf8')}\n${style}`,
   boot,
   code: held('code', packedCode, code.length),
