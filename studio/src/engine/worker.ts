@@ -1,6 +1,5 @@
 // The engine's side: loads it, and answers calls.
 
-import { initSync } from '../../dist/engine/engine.js';
 import * as engine from '../../dist/engine/engine.js';
 import type { Begin, Call, Reply } from './protocol.ts';
 import { figures } from './figures.ts';
@@ -14,6 +13,8 @@ export interface Context {
   tell: (share: number | null, words: string | null, soFar?: string) => void;
 }
 
+let memory: WebAssembly.Memory | null = null;
+
 const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
   ...figures,
   ...files,
@@ -21,6 +22,8 @@ const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
   ...scenes,
   ...steering,
   ...walks,
+  // How many bytes the engine has.
+  memory: () => memory?.buffer.byteLength,
 };
 
 const say = (reply: Reply, transfer: Transferable[] = []): void => self.postMessage(reply, { transfer });
@@ -44,5 +47,5 @@ function answer({ id, name, args }: Call): void {
 
 self.onmessage = ({ data }: MessageEvent<Begin | Call>) => {
   if ('id' in data) answer(data);
-  else initSync({ module: data.module });
+  else ({ memory } = engine.initSync({ module: data.module }));
 };
