@@ -6,8 +6,10 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import { compress } from './node_modules/lzma1/lib/index.js';
-import { decode, encode } from './src/pack.mjs';
+import { Encoder } from './node_modules/lzma1/lib/encoder.js';
+import { pack, unpack } from './src/pack/lzma.mjs';
+import { decode, encode } from './src/pack/text.mjs';
+import { join as joined, split } from './src/pack/wasm.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '..');
@@ -25,11 +27,10 @@ const has = ['bulk-memory', 'nontrapping-float-to-int', 'sign-ext', 'mutable-glo
 const plain = join(bound, 'engine_bg.wasm');
 // Making it small takes minutes: what was made of the same bytes is kept.
 const hash = createHash('sha256').update(readFileSync(plain)).digest('hex').slice(0, 16);
-const [small, packed] = [join(dist, `${hash}.wasm`), join(dist, `${hash}.lzma`)];
-if (!quick && !existsSync(packed)) {
+const small = join(dist, `${hash}.wasm`);
+if (!quick && !existsSync(small)) {
   const optimizer = process.env.WASM_OPT ?? join(here, 'node_modules/.bin/wasm-opt');
   run(optimizer, ['-Oz', ...has.map((feature) => `--enable-${feature}`), plain, '-o', small]);
-  writeFileSync(packed, compress(readFileSync(small), 9));
 }
 const engine = quick ? readFileSync(plain) : readFileSync(small);
 
@@ -75,21 +76,33 @@ const licences = [...used].sort().map((name) => {
 const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8')].join('\0'));
 
 // --- the page
-const held = (id, bytes, done) => {
-  const small = done ?? compress(bytes, quick ? 1 : 9);
-  const text = encode(small);
-  if (Buffer.compare(Buffer.from(decode(text, small.length)), Buffer.from(small)) !== 0) throw new Error(`${id} does not come out as it went in`);
-  return `<script type="text/plain" id="${id}" data-packed="${small.length}" data-size="${bytes.length}">${text}</script>`;
+const same = (a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;
+// `size`: how many bytes it is in the end.
+const held = (id, packed, size) => {
+  const text = encode(packed);
+  if (!same(decode(text, packed.length), packed)) throw new Error(`${id} does not come out as it went in`);
+  return `<script type="text/plain" id="${id}" data-packed="${packed.length}" data-size="${size}">${text}</script>`;
 };
-// The bar of time and view is that of every page.
+const packedCode = pack([code], Encoder);
+const packedEngine = pack(split(engine), Encoder);
+if (!same(unpack(packedCode)[0], code) || !same(joined(unpack(packedEngine), engine.length), engine)) throw new Error('what was packed does not come out as it went in');
+// What every page has stands in the template of pages.
 const page = readFileSync(join(assets, 'page.html'), 'utf8');
-const bar = page.slice(page.indexOf('<div class="bar"'), page.indexOf('<aside'));
+const cut = (from, to) => {
+  const [begins, ends] = [page.indexOf(from), page.indexOf(to)];
+  if (begins < 0 || ends < begins) throw new Error(`the template of pages has nothing from ${from} to ${to}`);
+  return page.slice(begins, ends).trimEnd();
+};
 const values = {
-  bar,
+  legend: cut('<div class="legend"', '<button id="studio"').replace('{{legend}}', ''),
+  keys: cut('<dt><kbd>Space', '<dt>Drag'),
+  gestures: cut('<dt>Drag', '<dt>Click a curve'),
+  nothing: cut('<div id="no-picture"', '<div id="no-studio"'),
+  bar: cut('<div class="bar"', '<aside'),
   style: `${readFileSync(join(assets, 'viewer.css'), 'utf8')}\n${style}`,
   boot,
-  code: held('code', code),
-  engine: held('engine', engine, quick ? null : readFileSync(packed)),
+  code: held('code', packedCode, code.length),
+  engine: held('engine', packedEngine, engine.length),
 };
 const html = readFileSync(join(here, 'src/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => values[name]);
 writeFileSync(join(dist, 'studio.html'), html);

@@ -1,14 +1,14 @@
 // What all panels work with: the engine, what is shown, what is said.
 
 import { Engine, EngineFault } from './engine/client.ts';
-import type { Row, ShownMotion } from './engine/protocol.ts';
+import type { Row, ShownMotion, Who } from './engine/protocol.ts';
 import { makeShow, type Show } from './show.ts';
 import { byId, el, number } from './ui/dom.ts';
 import { makeTabs, type Tabs } from './ui/tabs.ts';
-import { view } from './view.ts';
+import { view, type Body } from './view.ts';
 
-// `viewer` and `style`: what pages of motions are made with.
-export const parts = (globalThis as unknown as { solarisParts: { viewer: string; style: string; worker: string; engine: [string, number, number] } }).solarisParts;
+// `viewer` and `style`: what pages of motions are made with; `worker`: the engine's script; `module`: the engine, compiled.
+export const parts = (globalThis as unknown as { solarisParts: { viewer: string; style: string; worker: string; module: Promise<WebAssembly.Module> } }).solarisParts;
 
 export interface App {
   engine: Engine;
@@ -16,13 +16,16 @@ export interface App {
   background(): Promise<Engine>;
   // One engine more, for what may be stopped.
   another(): Promise<Engine>;
+  // The skin of a person, made once and by the second engine, so that the first one walks meanwhile.
+  skin(who: Who): Promise<Body | null>;
   show: Show;
   tools: Tabs;
   results: Tabs;
   // The motion that is shown, and the rows of its table.
   motion: (ShownMotion & { rows: Row[]; engine: Engine }) | null;
-  // Shows a motion with its rows; `again`: it is the next version of what is shown; `engine`: who keeps it, where that is not the first one.
-  showMotion(motion: ShownMotion, rows: Row[], how?: { again?: boolean; engine?: Engine }): void;
+  // Shows a motion with its rows; `again`: it is the next version of what is shown; `engine`: who keeps it, where that is not the first one; `body`: the skin, where it is
+  // not in the data.
+  showMotion(motion: ShownMotion, rows: Row[], how?: { again?: boolean; engine?: Engine; body?: Body | null }): void;
   // Says what is wrong, until something is shown or another thing is wrong.
   fault(error: unknown): void;
   say(message: string): void;
@@ -31,8 +34,10 @@ export interface App {
 }
 
 export function makeApp(): App {
-  const engine = new Engine(parts.worker, { packed: parts.engine });
+  const engine = new Engine(parts.worker, parts.module);
   let second: Promise<Engine> | null = null;
+  // Of whom the last one is.
+  let skin: { words: string; body: Promise<Body | null> } | null = null;
   const tools = makeTabs(byId('tool-tabs'), byId('tools'));
   const results = makeTabs(byId('result-tabs'), byId('results'));
   const show = makeShow(results);
@@ -52,7 +57,20 @@ export function makeApp(): App {
   const self: App = {
     engine,
     background: () => (second ??= self.another()),
-    another: () => engine.module.then((module) => new Engine(parts.worker, { module })),
+    skin(who) {
+      const words = JSON.stringify(who);
+      if (skin?.words !== words) {
+        const made = self
+          .background()
+          .then((other) => (other.busy ? engine : other).call<string | null>('skin', [who]))
+          .then((json) => json && view.readBody(JSON.parse(json)));
+        // What failed is tried again.
+        made.catch(() => (skin = null));
+        skin = { words, body: made as Promise<Body | null> };
+      }
+      return skin.body;
+    },
+    another: async () => new Engine(parts.worker, parts.module),
     show,
     tools,
     results,
@@ -61,7 +79,9 @@ export function makeApp(): App {
       self.motion = { ...motion, rows, engine: how?.engine ?? engine };
       byId('title').textContent = motion.title;
       document.title = `${motion.title} – Solaris Studio`;
-      show.motion(view.readData(motion.data), how);
+      const data = view.readData(motion.data);
+      if (how?.body) data.body = how.body;
+      show.motion(data, how);
       numbers.replaceChildren(table(rows));
       listeners.forEach((listener) => listener());
     },

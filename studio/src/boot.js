@@ -1,28 +1,52 @@
-// The first script of the page: unpacks the rest of it, and begins.
+// The first script of the page: unpacks the rest of it, and begins. The engine is unpacked in a worker meanwhile, by this same script.
 
-import { Decoder } from '../node_modules/lzma1/lib/decoder.js';
-import { InputBuffer, OutputBuffer } from '../node_modules/lzma1/lib/streams.js';
-import { decode } from './pack.mjs';
+import { unpack } from './pack/lzma.mjs';
+import { decode } from './pack/text.mjs';
+import { join } from './pack/wasm.mjs';
 
-// Packed text as bytes; `packed` and `size`: how many there are before and after.
-function unpack(text, packed, size) {
-  const output = new OutputBuffer(size);
-  new Decoder().decompress(new InputBuffer(decode(text, packed)), output);
-  return output.toArray();
-}
+// Packed text as its pieces of bytes; `packed`: how many bytes it stands for.
+const pieces = (text, packed) => unpack(decode(text, packed));
 
-// What a worker needs before it has anything: the same.
-globalThis.solarisUnpack = unpack;
+// How long the first picture of the page is waited for (ms).
+const LATEST = 200;
 
 if (globalThis.document) {
   const element = (id) => document.getElementById(id);
+  // What a script of the page holds: its text, and how many bytes it is packed and whole.
   const held = (id) => {
     const { textContent: text, dataset } = element(id);
     return [text, Number(dataset.packed), Number(dataset.size)];
   };
-  const [viewer, studio, worker, style] = new TextDecoder().decode(unpack(...held('code'))).split('\0');
-  const run = (text) => document.head.append(Object.assign(document.createElement('script'), { textContent: text }));
-  globalThis.solarisParts = { viewer, style, worker: `${element('boot').textContent}\n${worker}`, engine: held('engine') };
-  run(viewer);
-  run(studio);
+  const module = new Promise((resolve, reject) => {
+    const place = URL.createObjectURL(new Blob([element('boot').textContent], { type: 'text/javascript' }));
+    const worker = new Worker(place);
+    const done = (act) => {
+      act();
+      worker.terminate();
+      URL.revokeObjectURL(place);
+    };
+    worker.onmessage = ({ data }) => done(() => resolve(data));
+    worker.onerror = ({ message }) => done(() => reject(new Error(message || 'the engine cannot be unpacked')));
+    worker.postMessage(held('engine'));
+  });
+  const begin = () => {
+    const [code] = pieces(...held('code'));
+    const [viewer, studio, worker, style] = new TextDecoder().decode(code).split('\0');
+    const run = (text) => document.head.append(Object.assign(document.createElement('script'), { textContent: text }));
+    globalThis.solarisParts = { viewer, style, worker, module };
+    run(viewer);
+    run(studio);
+  };
+  // The page is seen before it is unpacked; one in the background is not drawn, and does not wait for it.
+  let begun = false;
+  const once = () => {
+    if (!begun) begin();
+    begun = true;
+  };
+  requestAnimationFrame(() => setTimeout(once));
+  setTimeout(once, LATEST);
+} else {
+  globalThis.onmessage = ({ data: [text, packed, size] }) => {
+    postMessage(new WebAssembly.Module(join(pieces(text, packed), size)));
+  };
 }

@@ -2,7 +2,7 @@
 
 import { byId, el } from './ui/dom.ts';
 import type { Tabs } from './ui/tabs.ts';
-import { view, type Clock, type Data, type Picture } from './view.ts';
+import { view, type Clock, type Data, type Picture, type Plots } from './view.ts';
 
 // A page that was hidden does not catch up.
 const LONGEST_TICK = 0.5;
@@ -53,7 +53,7 @@ export function makeShow(results: Tabs): Show {
   // The plots hide what has no curves: a panel of its own is around each.
   results.add({ id: 'joints-curves', title: 'Curves', element: el('div', {}, joints) });
   results.add({ id: 'forces-curves', title: 'Forces', element: el('div', {}, forces) });
-  let plots: ReturnType<typeof view.makePlots> | null = null;
+  let plots: Plots | null = null;
   let tick: Live | null = null;
   let live = false;
   const listeners: (() => void)[] = [];
@@ -88,8 +88,10 @@ export function makeShow(results: Tabs): Show {
       clock.seek(clock.first + share * (clock.last - clock.first));
       picture?.load(data, clock, { still });
       controls.load(data);
-      plots?.destroy();
-      plots = view.makePlots(joints, forces, data, clock, view.readTheme());
+      if (!again || !plots?.load(data)) {
+        plots?.destroy();
+        plots = view.makePlots(joints, forces, data, clock, view.readTheme());
+      }
       if (data.time.length > 1 && !clock.playing && !matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
       listeners.forEach((listener) => listener());
     },

@@ -35,6 +35,11 @@ export interface Quantity {
   lines: Line[];
 }
 
+// A skin that has been read; the same one is drawn once.
+export interface Body {
+  palette: string[];
+}
+
 // What a page holds (see the README of `solaris-view`).
 export interface Data {
   figure: string;
@@ -45,6 +50,8 @@ export interface Data {
   camera: { half: number[]; aim: Float32Array; reach?: number[] };
   ground: { height: number; solid: boolean; relief?: number[][] };
   links: { name: string; side: string; parts: unknown[] }[];
+  // A person's skin, in place of the links' shapes.
+  body?: Body;
   time: Float32Array;
   root: Float32Array;
   positions: Float32Array;
@@ -95,14 +102,22 @@ export interface Picture {
   draw(): boolean;
 }
 
+export interface Plots {
+  // Shows the same curves of another motion in place; says whether it has them.
+  load(data: Data): boolean;
+  paint(theme: Theme): void;
+  destroy(): void;
+}
+
 interface Parts {
   makeBody(data: Data): Part;
   makeClock(times: ArrayLike<number>): Clock;
   makeControls(clock: Clock, picture: Picture | null, data: Data): { load(data: Data): void };
   makePicture(holder: HTMLElement, data: Data, clock: Clock): Picture;
-  makePlots(joints: HTMLElement, forces: HTMLElement, data: Data, clock: Clock, theme: Theme): { paint(theme: Theme): void; destroy(): void };
+  makePlots(joints: HTMLElement, forces: HTMLElement, data: Data, clock: Clock, theme: Theme): Plots;
   mixAt(points: ArrayLike<number>, frame: Frame, out: Three.Vector3): Three.Vector3;
   onThemeChange(listener: () => void): void;
+  readBody(json: unknown): Body;
   readData(json: string): Data;
   readTheme(): Theme;
   three: typeof Three;

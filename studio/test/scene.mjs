@@ -110,7 +110,7 @@ test('a scene that includes a file runs in the engine behind, which gets the fil
   if (!page) return;
   await example(page, 'A crowd watches a bird');
   await page.waitForFunction(() => globalThis.studio.document.outline?.joints.some(({ name }) => name.startsWith('crowd')), null, { timeout: 60_000 });
-  await page.click('.scene .run');
+  await page.click('.scene .main');
   await page.waitForFunction(() => !globalThis.studio.show.isLive(), null, { timeout: 120_000 });
   assert.equal(await page.locator('.notice.wrong').isVisible(), false);
 });
@@ -120,7 +120,7 @@ test('a run that takes long is stopped at once, and the page goes on working', a
   if (!page) return;
   await example(page, 'Somebody goes limp (long)');
   await page.waitForFunction(() => globalThis.studio.document.outline?.method.includes('1e-5'));
-  await page.click('.scene .run');
+  await page.click('.scene .main');
   await page.waitForFunction(() => document.querySelector('.scene progress').hasAttribute('value'));
   assert.match(await page.locator('.scene .words').innerText(), /^Running, pass 1, /);
   // While it runs, text is written and checked.
@@ -134,7 +134,7 @@ test('a run that takes long is stopped at once, and the page goes on working', a
   assert.equal(await page.locator('.scene > .remark').innerText(), 'Stopped.');
   await example(page, 'A falling cat');
   await page.waitForFunction(() => globalThis.studio.document.outline?.name === 'cat');
-  await page.click('.scene .run');
+  await page.click('.scene .main');
   await page.waitForFunction(() => !globalThis.studio.show.isLive());
 });
 
@@ -143,7 +143,7 @@ test('what was run is taken away as a table, also after another run was stopped'
   if (!page) return;
   await example(page, 'A pendulum');
   await page.waitForFunction(() => globalThis.studio.document.outline?.name === 'pendulum');
-  await page.click('.scene .run');
+  await page.click('.scene .main');
   await page.waitForFunction(() => !globalThis.studio.show.isLive());
   await page.getByRole('button', { name: 'Error against run time' }).click();
   await page.waitForFunction(() => document.querySelector('.scene progress').value > 0);
@@ -233,6 +233,6 @@ test('on a telephone the text is written and run, in the dark', async (t) => {
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 390));
   const paper = await page.$eval('.scene .cm-editor', (editor) => getComputedStyle(editor).backgroundColor);
   assert.equal(paper, 'rgb(23, 26, 30)');
-  await page.click('.scene .run');
+  await page.click('.scene .main');
   await page.waitForFunction(() => !globalThis.studio.show.isLive());
 });

@@ -61,25 +61,42 @@ thread_local! {
     static SKIN: RefCell<Option<(Body, Option<String>)>> = const { RefCell::new(None) };
 }
 
-/// What a page holds of a motion, as JSON: the skin of the same person is made once.
-pub(crate) fn shown_data(figure: &Body, motion: &Motion, options: &PageOptions) -> Result<String, JsError> {
+/// What a page holds of a motion, as JSON; `skinned`: with the skin of a person.
+pub(crate) fn shown_data(
+    figure: &Body,
+    motion: &Motion,
+    options: &PageOptions,
+    skinned: bool,
+) -> Result<String, JsError> {
     let data = page_data_without_skin(figure, motion, options).map_err(failed)?;
+    let skin = if skinned { skin_of(figure) } else { None };
+    Ok(skin.map_or_else(|| data.clone(), |skin| format!("{{\"body\":{skin},{}", &data[1..])))
+}
+
+/// The skin of a person as a page holds it, as JSON; none of other figures.
+#[wasm_bindgen(js_name = skinOf)]
+pub fn skin(figure: &Figure) -> Option<String> {
+    skin_of(&figure.figure)
+}
+
+/// The skin of the same person is made once.
+fn skin_of(figure: &Body) -> Option<String> {
     SKIN.with_borrow_mut(|last| {
         if last.as_ref().is_none_or(|(who, _)| who != figure) {
             *last = Some((figure.clone(), page_skin(figure)));
         }
-        let skin = last.as_ref().and_then(|(_, skin)| skin.as_deref());
-        Ok(skin.map_or_else(|| data.clone(), |skin| format!("{{\"body\":{skin},{}", &data[1..])))
+        last.as_ref().and_then(|(_, skin)| skin.clone())
     })
 }
 
-/// What a page shows of a figure that stands still, over a `ground` where there is one, to begin a picture with.
-fn still(figure: &Figure, q: &[f64], ground: Option<Ground>) -> Result<String, JsError> {
+/// What a page shows of a figure that stands still, over a `ground` where there is one, to begin a picture with; `skinned`: with the skin of a
+/// person.
+fn still(figure: &Figure, q: &[f64], ground: Option<Ground>, skinned: bool) -> Result<String, JsError> {
     let nv = figure.figure.layout().nv();
     let info = MotionInfo { gravity: figure.gravity, ground, ..MotionInfo::on_earth(&figure.figure, 60.0) };
     let states = [q.to_vec(), vec![0.0; nv], vec![0.0; nv]];
     let motion = Motion::new(&figure.figure, info, vec![0.0], states).map_err(failed)?;
-    shown_data(&figure.figure, &motion, &PageOptions::default())
+    shown_data(&figure.figure, &motion, &PageOptions::default(), skinned)
 }
 
 /// The joints of a figure with their degrees of freedom.

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 /// A figure that walks as it is told while it walks, frame after frame. The level is x left and z forward of the world.
 #[wasm_bindgen]
 pub struct Walker {
-    walker: gait::Walker,
+    pub(crate) walker: gait::Walker,
     command: Command,
 }
 
@@ -51,6 +51,16 @@ impl Walker {
     #[wasm_bindgen(js_name = faceTo)]
     pub fn face_to(&mut self, x: f64, z: f64) {
         self.command = self.command.facing_point(x, z);
+    }
+
+    /// Lets a joint of arms or head hang loose, or takes it back.
+    pub fn loosen(&mut self, joint: &str, loose: bool) -> Result<(), JsError> {
+        if loose { self.walker.loosen(joint) } else { self.walker.tighten(joint) }.map_err(failed)
+    }
+
+    /// In what the command was bent to what can be walked: `fast`, `aside`, `sharp`, `sudden`, `balance`.
+    pub fn bent(&self) -> Vec<String> {
+        self.walker.bent().map(|bent| format!("{bent:?}").to_lowercase()).collect()
     }
 
     /// Goes on by `dt` (s, up to a quarter), and gives the configuration there.

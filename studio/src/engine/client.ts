@@ -1,6 +1,6 @@
 // The engine in a worker, called from the page. One that breaks is begun anew; one that is busy can be stopped.
 
-import type { Begin, Fault, Reply } from './protocol.ts';
+import type { Fault, Reply } from './protocol.ts';
 
 export class EngineFault extends Error {
   readonly broken: boolean;
@@ -23,17 +23,16 @@ export class Engine {
   #waiting = new Map<number, Waiting>();
   #next = 1;
   readonly #code: string;
-  #begin: Begin;
+  // The worker has what it begins with.
+  #ready!: Promise<void>;
   // Called when it was begun anew: what it knew is gone.
   onAnew: () => void = () => {};
-  // What it compiled, for another one.
   readonly module: Promise<WebAssembly.Module>;
-  #compiled!: (module: WebAssembly.Module) => void;
 
-  constructor(code: string, begin: Begin) {
+  // `code`: the worker's script; `module`: the engine, compiled.
+  constructor(code: string, module: Promise<WebAssembly.Module>) {
     this.#code = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-    this.#begin = begin;
-    this.module = new Promise((resolve) => (this.#compiled = resolve));
+    this.module = module;
     this.#start();
   }
 
@@ -45,15 +44,10 @@ export class Engine {
       event.preventDefault();
       this.#break(event.message || 'the engine could not be started');
     };
-    worker.postMessage(this.#begin);
+    this.#ready = this.module.then((module) => worker.postMessage({ module }));
   }
 
   #hear(reply: Reply): void {
-    if ('module' in reply) {
-      this.#begin = reply;
-      this.#compiled(reply.module);
-      return;
-    }
     const waiting = this.#waiting.get(reply.id);
     if (!waiting) return;
     if ('share' in reply) {
@@ -91,7 +85,8 @@ export class Engine {
     const id = this.#next++;
     return new Promise<T>((resolve, reject) => {
       this.#waiting.set(id, { resolve: resolve as (value: never) => void, reject, tell });
-      this.#worker.postMessage({ id, name, args }, transfer);
+      const worker = this.#worker;
+      this.#ready.then(() => worker.postMessage({ id, name, args }, transfer)).catch(reject);
     });
   }
 }

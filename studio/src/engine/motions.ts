@@ -12,7 +12,8 @@ const held = new Set<number>();
 // Keys of several engines are never the same.
 let next = Math.floor(Math.random() * 2 ** 40);
 
-export function keep(shown: ShownType): ShownMotion {
+// `skinned`: the skin of a person is in the data.
+export function keep(shown: ShownType, skinned = true): ShownMotion {
   const key = next++;
   kept.set(key, shown);
   const loose = [...kept.keys()].filter((other) => !held.has(other));
@@ -20,13 +21,13 @@ export function keep(shown: ShownType): ShownMotion {
     kept.get(old)?.free();
     kept.delete(old);
   }
-  return { key, title: shown.title, duration: shown.duration, data: shown.data() };
+  return { key, title: shown.title, duration: shown.duration, data: shown.data(skinned) };
 }
 
-export function keepMotion(motion: Motion, title: string): ShownMotion {
+export function keepMotion(motion: Motion, title: string, skinned = true): ShownMotion {
   const shown = new Shown(motion, title);
   motion.free();
-  return keep(shown);
+  return keep(shown, skinned);
 }
 
 export function shownBy(key: number): ShownType {

@@ -17,12 +17,12 @@ export type Reply =
   | { id: number; value: unknown }
   | { id: number; fault: Fault }
   // How far it has come (0 to 1; null: not known), in which words, and what there is so far.
-  | { id: number; share: number | null; words: string | null; soFar?: string }
-  // The engine is ready, and compiled for others.
-  | { module: WebAssembly.Module };
+  | { id: number; share: number | null; words: string | null; soFar?: string };
 
-// What begins a worker: the engine's packed text with its lengths, or what another worker compiled.
-export type Begin = { packed: [string, number, number] } | { module: WebAssembly.Module };
+// What begins a worker: the engine, compiled.
+export interface Begin {
+  module: WebAssembly.Module;
+}
 
 // A motion that is shown: `key` is the engine's own.
 export interface ShownMotion {

@@ -1,6 +1,6 @@
 // Somebody who is steered.
 
-import { Steered } from '../../dist/engine/engine.js';
+import { Steered, Walker } from '../../dist/engine/engine.js';
 import type { Who } from './protocol.ts';
 import { human } from './walks.ts';
 import type { Context } from './worker.ts';
@@ -14,39 +14,55 @@ export interface SteeredFrame {
   poses: Float32Array;
   // Force (N) and centre of pressure (m).
   ground: Float64Array;
-  // x, z, heading, vx, vz, stands, centre of mass.
-  state: Float64Array;
+  // Where (x, z; m), which way it faces (rad), with which velocity it goes (x, z; m/s).
+  place: ArrayLike<number>;
+  heading: number;
+  velocity: ArrayLike<number>;
+  stands: boolean;
   bent: string[];
 }
 
-let steered: Steered | null = null;
+let steered: { walker: Walker; drawn: Steered } | null = null;
 
-function walker(): Steered {
+function walking(): { walker: Walker; drawn: Steered } {
   if (!steered) throw new Error('nobody is steered; begin anew');
   return steered;
 }
 
 export const steering = {
+  // Somebody else, who stands; gives what a page holds of it, without the skin.
   steer(_: Context, who: Who): string {
-    steered?.free();
+    steered?.walker.free();
+    steered?.drawn.free();
     steered = null;
     const figure = human(who);
-    steered = new Steered(figure);
-    figure.free();
-    return steered.data();
+    try {
+      steered = { walker: new Walker(figure), drawn: new Steered(figure) };
+      return steered.drawn.data(steered.walker);
+    } finally {
+      figure.free();
+    }
   },
   steerBy(_: Context, command: Steer): void {
-    const walking = walker();
-    if (command.kind === 'stop') walking.stop();
-    else if (command.kind === 'to') walking.goTo(command.x, command.z, command.speed);
-    else walking.goOwn(command.left, command.forward);
-    if (command.kind === 'go' && command.heading !== undefined) walking.face(command.heading);
+    const { walker } = walking();
+    if (command.kind === 'stop') walker.stop();
+    else if (command.kind === 'to') walker.goTo(command.x, command.z, command.speed);
+    else walker.goOwn(command.left, command.forward);
+    if (command.kind === 'go' && command.heading !== undefined) walker.face(command.heading);
   },
   // Lets a joint hang loose, or takes it back.
-  loosen: (_: Context, joint: string, loose: boolean): void => walker().loosen(joint, loose),
+  loosen: (_: Context, joint: string, loose: boolean): void => walking().walker.loosen(joint, loose),
   steerFrame(_: Context, dt: number): SteeredFrame {
-    const walking = walker();
-    const poses = walking.step(dt);
-    return { poses, ground: walking.ground(), state: walking.state(), bent: walking.bent() };
+    const { walker, drawn } = walking();
+    walker.step(dt);
+    return {
+      poses: drawn.poses(walker),
+      ground: drawn.ground(walker),
+      place: walker.place,
+      heading: walker.heading,
+      velocity: walker.velocity,
+      stands: walker.isStanding,
+      bent: walker.bent(),
+    };
   },
 };

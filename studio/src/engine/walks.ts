@@ -1,6 +1,6 @@
 // Walks and runs.
 
-import { Figure, walk, walkRange, type WalkOptions } from '../../dist/engine/engine.js';
+import { Figure, skinOf, walk, walkRange, type WalkOptions } from '../../dist/engine/engine.js';
 import { keepMotion } from './motions.ts';
 import type { ShownMotion, Who } from './protocol.ts';
 import type { Context } from './worker.ts';
@@ -14,12 +14,21 @@ export interface Walked extends ShownMotion {
 }
 
 export const walks = {
+  // Without the skin.
   walk(_: Context, who: Who, options: WalkOptions, title: string): Walked {
     const figure = human(who);
     try {
       const motion = walk(figure, options);
       const report = motion.report as Record<string, never>;
-      return { report, ...keepMotion(motion, title) };
+      return { report, ...keepMotion(motion, title, false) };
+    } finally {
+      figure.free();
+    }
+  },
+  skin(_: Context, who: Who): string | null {
+    const figure = human(who);
+    try {
+      return skinOf(figure) ?? null;
     } finally {
       figure.free();
     }

@@ -1,6 +1,5 @@
 // The engine's side: loads it, and answers calls.
 
-import { initSync } from '../../dist/engine/engine.js';
 import * as engine from '../../dist/engine/engine.js';
 import type { Begin, Call, Reply } from './protocol.ts';
 import { figures } from './figures.ts';
@@ -10,11 +9,11 @@ import { scenes } from './scenes.ts';
 import { steering } from './steering.ts';
 import { walks } from './walks.ts';
 
-declare const solarisUnpack: (text: string, packed: number, size: number) => Uint8Array;
-
 export interface Context {
   tell: (share: number | null, words: string | null, soFar?: string) => void;
 }
+
+let memory: WebAssembly.Memory | null = null;
 
 const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
   ...figures,
@@ -23,16 +22,11 @@ const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
   ...scenes,
   ...steering,
   ...walks,
+  // How many bytes the engine has.
+  memory: () => memory?.buffer.byteLength,
 };
 
 const say = (reply: Reply, transfer: Transferable[] = []): void => self.postMessage(reply, { transfer });
-
-function begin(how: Begin): void {
-  const module =
-    'module' in how ? how.module : new WebAssembly.Module(solarisUnpack(...how.packed) as Uint8Array<ArrayBuffer>);
-  initSync({ module });
-  if ('packed' in how) say({ module });
-}
 
 function answer({ id, name, args }: Call): void {
   const context: Context = { tell: (share, words, soFar) => say({ id, share, words, soFar }) };
@@ -53,5 +47,5 @@ function answer({ id, name, args }: Call): void {
 
 self.onmessage = ({ data }: MessageEvent<Begin | Call>) => {
   if ('id' in data) answer(data);
-  else begin(data);
+  else ({ memory } = engine.initSync({ module: data.module }));
 };

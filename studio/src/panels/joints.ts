@@ -2,59 +2,40 @@
 
 import './joints.css';
 import type { App } from '../app.ts';
-import { row } from '../app.ts';
 import type { Edit, SceneDocument } from '../document.ts';
 import type { Pose } from '../engine/figures.ts';
-import type { Dof, JointOutline, PosedFigure, Row } from '../engine/protocol.ts';
+import type { Dof, PosedFigure } from '../engine/protocol.ts';
 import type { RanScene } from '../engine/scenes.ts';
-import { makeDrives, unitOf, type Drives, type Outcome } from '../joints/drives.ts';
+import { makeChosen } from '../joints/chosen.ts';
+import type { Outcome } from '../joints/drives.ts';
 import { makeHands } from '../joints/hands.ts';
 import { makeHighlight } from '../joints/highlight.ts';
 import { choose } from '../joints/inputs.ts';
 import { makeLive } from '../joints/live.ts';
-import { coordinatesOf, drivesOf, isWhole } from '../joints/said.ts';
+import { ranRows } from '../joints/ran.ts';
 import { makeScenePart } from '../joints/scene-part.ts';
-import { DEGREE, field, parse, plain, position, quote, type Node } from '../joints/ron.ts';
+import { field, parse } from '../joints/ron.ts';
+import { limbOf, startEdits } from '../joints/start.ts';
+import { nothing } from '../joints/state.ts';
 import { makeJointList } from '../joints/tree.ts';
 import type { Picked } from '../pick.ts';
-import { button, byId, el, later, latest, number } from '../ui/dom.ts';
-import { slider, type Slider } from '../ui/slider.ts';
+import { button, byId, el, later, latest } from '../ui/dom.ts';
 import { view } from '../view.ts';
 
 // How long a slider rests before its place is written (ms).
 const REST = 300;
-// Of angles without limits, and of slides (m).
-const [FAR, WIDE] = [Math.PI, 1];
 const SCENE = 'scene';
 // For whatever is too stiff to be simulated while it is looked at.
 const IMPULSES = 'Impulses(step: 0.001)';
 
-interface DofView {
-  dof: Dof;
-  slider: Slider | null;
-  moment: HTMLElement;
-  drives: Drives;
-  hasServo: boolean;
-}
-
 export function makeJointsPanel(app: App, text: SceneDocument): void {
-  let tree: Node | null = null;
-  let joints: JointOutline[] = [];
-  let links: PosedFigure['links'] = [];
+  const at = nothing();
   let mass = 1;
-  let q: number[] = [];
-  let moments: number[] = [];
-  let chosen: string | null = null;
-  let outcomes: Outcome[] = [];
   // Which figure the engine poses, and what the picture has of it.
   let posed = '';
   let data = '';
   // The picture has it already, by the camera that the reader turned.
   let seen = false;
-  let shows: 'pose' | 'motion' | 'live' | null = null;
-  // The pose of the panel is newer than that of the text.
-  let ahead = false;
-  let views: DofView[] = [];
   const isOpen = (): boolean => app.tools.current() === 'joints';
 
   // --- what is written
@@ -87,17 +68,23 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   const live = makeLive(app, {
     link: () => highlight.link,
     frame(frame) {
-      q = frame.q;
-      moments = frame.forces;
-      showNumbers(true);
+      at.q = frame.q;
+      at.moments = frame.forces;
+      chosen.numbers(true);
     },
     fault: (error) => say(error),
     state() {
-      for (const one of views) enable(one);
+      chosen.enable();
     },
   });
   const list = makeJointList((name) => select(name));
-  const details = el('div', { class: 'joint', role: 'region', 'aria-label': 'The chosen joint' });
+  const chosen = makeChosen(at, text, {
+    engine: app.engine,
+    isLive: () => live.on,
+    moves: async (dof, to) => (live.on ? live.target(dof.index, to) : moveTo(dof, to)),
+    write: (edits) => void write(edits),
+    openText,
+  });
   const reach = choose('A drag with Shift moves', [['0', 'the limb'], ...[1, 2, 3, 4, 6].map((n): [string, string] => [String(n), n === 1 ? 'one joint' : `up to ${n} joints`])], '0', () => {});
   const scenePart = makeScenePart(app, text, (edits) => void write(edits), openText);
   const element = el(
@@ -112,7 +99,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     remarks,
     scenePart.element,
     list.element,
-    details,
+    chosen.element,
     reach.element,
   );
 
@@ -128,13 +115,13 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     if (ours) return;
     // Somebody else shows something.
     live.stop();
-    shows = null;
+    at.shows = null;
   });
-  const showing = (what: typeof shows, act: () => void): void => {
+  const showing = (what: typeof at.shows, act: () => void): void => {
     ours = true;
     act();
     ours = false;
-    shows = what;
+    at.shows = what;
   };
 
   // --- what is wrong, in the program's own words
@@ -142,25 +129,18 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     const message = error instanceof Error ? error.message : String(error);
     if (message === 'stopped') return;
     failed.replaceChildren(el('p', { class: 'fault' }, message));
-    if (/too long for|stiff/.test(message) && !field(tree, 'method')) {
+    if (/too long for|stiff/.test(message) && !field(at.tree, 'method')) {
       failed.append(button('Take steps by impulses', () => void write([{ path: ['method'], value: IMPULSES }]), { title: `method: ${IMPULSES}` }));
     }
     // Beside the joint that it names, too.
-    const named = joints.find(({ name, dofs }) => message.includes(`'${name}'`) || dofs.some((dof) => message.includes(`'${dof.name}'`)));
+    const named = at.joints.find(({ name, dofs }) => message.includes(`'${name}'`) || dofs.some((dof) => message.includes(`'${dof.name}'`)));
     if (!named) return;
-    if (named.name !== chosen) failed.append(button(`Show ${named.name}`, () => select(named.name)));
-    views.find(({ dof }) => message.includes(`'${dof.name}'`))?.drives.fault(message);
+    if (named.name !== at.chosen) failed.append(button(`Show ${named.name}`, () => select(named.name)));
+    chosen.fault(message);
   }
 
   function sayFaults(): void {
-    const own = new Set<unknown>();
-    for (const { dof, drives } of views) {
-      const joint = joints.find(({ dofs }) => dofs.includes(dof))!;
-      const { span } = drivesOf(text.text, tree, joint, dof);
-      const here = text.faults.filter(({ from, to }) => span && from >= span[0] && to <= span[1]);
-      drives.fault(here.length > 0 ? here.map(({ message }) => message).join('\n') : null);
-      here.forEach((fault) => own.add(fault));
-    }
+    const own = chosen.faults();
     const others = text.faults.filter((fault) => !own.has(fault));
     wrong.replaceChildren(
       ...others.slice(0, 5).map(({ line, message }) => el('p', { class: 'fault' }, `Line ${line}: ${message}`)),
@@ -172,18 +152,18 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   // --- the pose
   // What makes it another figure.
   const figureKey = (): string =>
-    ['include', 'figures', 'places', 'gravity', 'ground'].map((name) => field(tree, name)).map((node) => (node ? text.text.slice(node.from, node.to) : '')).join('\0');
+    ['include', 'figures', 'places', 'gravity', 'ground'].map((name) => field(at.tree, name)).map((node) => (node ? text.text.slice(node.from, node.to) : '')).join('\0');
 
   async function ensurePosed(): Promise<void> {
     const key = figureKey();
     if (posed !== key) {
       const figure = await app.engine.call<PosedFigure>('poseScene', [text.text]);
-      [posed, data, links, mass] = [key, figure.data, figure.links, figure.mass];
-      shows = null;
+      [posed, data, at.links, mass] = [key, figure.data, figure.links, figure.mass];
+      at.shows = null;
       seen = false;
       showList();
     }
-    if (shows === 'pose') return;
+    if (at.shows === 'pose') return;
     const still = seen;
     seen = true;
     showing('pose', () => app.show.live(view.readData(data), undefined, { still }));
@@ -194,11 +174,11 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     if (live.on) return;
     try {
       await ensurePosed();
-      const now = await app.engine.call<Pose>('poseTo', [q]);
-      if (shows !== 'pose') return;
-      moments = now.moments;
+      const now = await app.engine.call<Pose>('poseTo', [at.q]);
+      if (at.shows !== 'pose') return;
+      at.moments = now.moments;
       app.show.frame(now.poses);
-      showNumbers(false);
+      chosen.numbers(false);
     } catch (error) {
       posed = '';
       say(error);
@@ -208,60 +188,44 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   async function showPose(): Promise<void> {
     live.stop();
     forget();
-    if (!ahead && text.outline) q = [...text.outline.q];
+    if (!at.ahead && text.outline) at.q = [...text.outline.q];
     await posing();
   }
 
-  function forget(): void {
-    outcomes = [];
-    remarks.replaceChildren();
-    failed.replaceChildren();
-    for (const { drives } of views) drives.outcomes([]);
+  function showJoint(): void {
+    chosen.show();
+    sayFaults();
   }
 
-  // Coordinates of q that differ from those of the text, as edits of its start.
-  function startEdits(before: number[]): Edit[] {
-    const places = coordinatesOf(joints, q.length);
-    return joints.flatMap(({ name, dofs }): Edit[] => {
-      if (isWhole(dofs)) {
-        const [at, count] = places.get(name) ?? [0, 0];
-        const now = q.slice(at, at + count);
-        // A free joint stays where it is: only turns are written.
-        if (count !== 4 || now.every((value, i) => Math.abs(value - before[at + i]) < 1e-9)) return [];
-        return [{ path: ['start', quote(name)], value: `Quaternion(${now.map((part) => plain(part, 8)).join(', ')})` }];
-      }
-      return dofs
-        .filter(({ coordinate }) => coordinate !== null && Math.abs(q[coordinate] - before[coordinate]) > 1e-7)
-        .map((dof) => ({ path: ['start', quote(dof.name)], value: position(q[dof.coordinate!], dof.turns) }));
-    });
+  function syncJoint(): void {
+    chosen.sync();
+    sayFaults();
+  }
+
+  function forget(): void {
+    at.outcomes = [];
+    remarks.replaceChildren();
+    failed.replaceChildren();
+    chosen.forget();
   }
 
   async function writeStart(): Promise<void> {
-    const edits = startEdits(text.outline?.q ?? q);
+    const edits = startEdits(at, text.outline?.q ?? at.q);
     if (edits.length > 0) await write(edits);
-    ahead = false;
+    at.ahead = false;
   }
   const writeLater = later(REST, () => void writeStart());
 
   function moveTo(dof: Dof, value: number): void {
-    q = [...q];
-    q[dof.coordinate!] = value;
-    ahead = true;
+    at.q = [...at.q];
+    at.q[dof.coordinate!] = value;
+    at.ahead = true;
     void posing();
     writeLater();
   }
 
-  // How many joints give way: as many as said, or up to the shoulder or the hip, or three.
-  function reachOf(link: number): number {
-    if (reach.value !== '0') return Number(reach.value);
-    let count = 0;
-    for (let at: number | null = link; at !== null; at = links[at]?.parent ?? null) {
-      const joint = joints.find(({ link: name }) => name === links[at!]?.name);
-      if (joint && joint.dofs.length > 0) count += 1;
-      if (joint && /(shoulder|hip)$/.test(joint.name)) return count;
-    }
-    return 3;
-  }
+  // How many joints give way to a drag: as many as said, or those of the limb.
+  const reachOf = (link: number): number => Number(reach.value) || limbOf(at, link);
 
   // --- hands on the picture
   let grip: { link: number; point: number[] } | null = null;
@@ -270,19 +234,19 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     if (!grip) return;
     const now = await app.engine.call<Pose>('poseDrag', [grip.link, grip.point, place, reachOf(grip.link)]).catch((error) => say(error));
     if (!now || !grip) return;
-    [q, moments, ahead] = [now.q, now.moments, true];
+    [at.q, at.moments, at.ahead] = [now.q, now.moments, true];
     app.show.frame(now.poses);
-    showNumbers(false);
+    chosen.numbers(false);
   });
   makeHands(app.show, {
-    active: () => isOpen() && (shows === 'pose' || shows === 'live' || shows === 'motion'),
+    active: () => isOpen() && (at.shows === 'pose' || at.shows === 'live' || at.shows === 'motion'),
     picked: (what) => selectLink(what),
     begin(what) {
       selectLink(what);
       if (live.on) return live.begin(what);
-      was = [...q];
+      was = [...at.q];
       void (async () => {
-        if (shows !== 'pose') return;
+        if (at.shows !== 'pose') return;
         grip = { link: what.link, point: await app.engine.call<number[]>('posePoint', [what.link, what.place]) };
       })().catch(say);
     },
@@ -296,7 +260,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
       grip = null;
       if (given) void writeStart();
       else {
-        [q, ahead] = [was, false];
+        [at.q, at.ahead] = [was, false];
         void posing();
       }
     },
@@ -304,146 +268,28 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
 
   function selectLink({ link }: Picked): void {
     // The joint that carries it, or the nearest one above that moves.
-    for (let at: number | null = link; at !== null; at = links[at]?.parent ?? null) {
-      const joint = joints.find(({ link: name }) => name === app.show.data.links[at!]?.name);
+    for (let one: number | null = link; one !== null; one = at.links[one]?.parent ?? null) {
+      const joint = at.joints.find(({ link: name }) => name === app.show.data.links[one!]?.name);
       if (joint && joint.dofs.length > 0) return select(joint.name, link);
     }
   }
 
   function select(name: string, link?: number): void {
-    const joint = joints.find((one) => one.name === name);
+    const joint = at.joints.find((one) => one.name === name);
     if (!joint) return;
-    const again = chosen === name;
-    chosen = name;
+    const again = at.chosen === name;
+    at.chosen = name;
     list.choose(name);
     highlight.link = link ?? app.show.data.links.findIndex((one) => one.name === joint.link);
     if (!again) showJoint();
   }
 
-  // --- the chosen joint
-  function showJoint(): void {
-    const joint = joints.find(({ name }) => name === chosen);
-    views = [];
-    if (!joint) {
-      details.replaceChildren(el('p', { class: 'remark' }, 'Choose a joint in the list, or click a link in the picture.'));
-      return;
-    }
-    const whole = isWhole(joint.dofs);
-    views = joint.dofs.map((dof) => makeView(joint, dof));
-    details.replaceChildren(
-      el('h2', {}, joint.name),
-      el('p', { class: 'remark' }, `carries ${joint.link.replaceAll('_', ' ')}`),
-      ...(joint.dofs.length > 1 ? [wholeJoint(joint, whole)] : []),
-      ...views.map(({ dof, slider: made, moment, drives }) =>
-        el('section', { class: 'dof', 'aria-label': dof.name }, made?.element ?? el('h2', {}, dof.name), moment, ...(whole ? [] : [drives.element])),
-      ),
-    );
-    syncJoint();
-  }
-
-  // One mode for all degrees of freedom of a joint; a ball or free joint has no other.
-  function wholeJoint(joint: JointOutline, whole: boolean): HTMLElement {
-    const said = drivesOf(text.text, tree, joint, null);
-    const modes: [string, string][] = [['', 'each by itself'], ['Frozen', 'Frozen'], ['Free', 'Free'], ...(whole ? [] : [['Servo', 'Spring, servo'] as [string, string]]), ['others', 'as the others']];
-    const mode = choose('Whole joint', modes, whole && said.from === null ? said.text : '', (kind) => {
-      const names = whole ? [joint.name] : joint.dofs.map(({ name }) => name);
-      void write([
-        // What the joint's own name says is said by its parts from now on.
-        ...(whole ? [] : [{ path: ['drives', quote(joint.name)], value: null }]),
-        ...names.map((name, i) => {
-          const servo = (): string => {
-            const dof = joint.dofs[i];
-            return `Servo(to: ${position(atOf(dof), dof.turns)}, stiffness: ${dof.turns ? '100.0' : '2000.0'}, damping: ${dof.turns ? '10.0' : '200.0'})`;
-          };
-          return { path: ['drives', quote(name)], value: kind === 'Servo' ? servo() : kind === 'Frozen' || kind === 'Free' ? kind : null };
-        }),
-      ]);
-    });
-    return mode.element;
-  }
-
-  const atOf = (dof: Dof): number => (dof.coordinate === null ? 0 : ((ahead ? q : text.outline?.q)?.[dof.coordinate] ?? 0));
-
-  function makeView(joint: JointOutline, dof: Dof): DofView {
-    const scale = dof.turns ? DEGREE : 1;
-    const far = dof.turns ? FAR : WIDE;
-    const short = dof.name.startsWith(`${joint.name}.`) ? dof.name.slice(joint.name.length + 1) : dof.name;
-    const made =
-      dof.coordinate === null
-        ? null
-        : slider({
-            label: short === dof.name ? dof.name : `${joint.name} ${short}`,
-            unit: unitOf('position', dof.turns),
-            low: Math.round((dof.lower ?? -far) / scale),
-            high: Math.round((dof.upper ?? far) / scale),
-            step: dof.turns ? 1 : 0.01,
-            value: (q[dof.coordinate] ?? 0) / scale,
-            change(value) {
-              const own = value * scale;
-              const below = dof.lower !== null && own < dof.lower - 1e-9;
-              if (below || (dof.upper !== null && own > dof.upper + 1e-9)) {
-                made!.fault(`${dof.name} goes from ${number((dof.lower ?? 0) / scale, 1)} to ${number((dof.upper ?? 0) / scale, 1)} ${unitOf('position', dof.turns)}`);
-                return;
-              }
-              made!.fault(null);
-              if (live.on) live.target(dof.index, own).catch((error: Error) => made!.fault(error.message));
-              else moveTo(dof, own);
-            },
-          });
-    const drives = makeDrives(
-      {
-        engine: app.engine,
-        names: () => joints.flatMap(({ dofs }) => dofs.filter(({ coordinate }) => coordinate !== null).map(({ name }) => name)),
-        turns: (name) => joints.flatMap(({ dofs }) => dofs).find((one) => one.name === name)?.turns ?? true,
-        duration: () => text.outline?.duration ?? 1,
-        at: atOf,
-        write: (name, value) => void write([{ path: ['drives', quote(name)], value }]),
-        openText,
-      },
-      dof,
-    );
-    return { dof, slider: made, moment: el('p', { class: 'moment' }), drives, hasServo: false };
-  }
-
-  function enable({ slider: made, hasServo }: DofView): void {
-    if (!made) return;
-    const can = !live.on || hasServo;
-    made.element.querySelectorAll('input').forEach((input) => (input.disabled = !can));
-    made.element.classList.toggle('target', live.on && hasServo);
-    made.element.title = live.on ? (hasServo ? 'The target of the servo' : 'Where it is') : 'Where it begins';
-  }
-
-  function syncJoint(): void {
-    const joint = joints.find(({ name }) => name === chosen);
-    if (!joint) return;
-    for (const one of views) {
-      const said = drivesOf(text.text, tree, joint, one.dof);
-      one.drives.set(said.text, said.from);
-      one.drives.outcomes(outcomes.filter(({ dof }) => dof === one.dof.name));
-      one.hasServo = said.text.includes('Servo(');
-      enable(one);
-    }
-    sayFaults();
-    showNumbers(live.on);
-  }
-
-  // Positions and moments of the chosen joint.
-  function showNumbers(running: boolean): void {
-    for (const { dof, slider: made, moment, hasServo } of views) {
-      if (made && !(running && hasServo)) made.value = (q[dof.coordinate!] ?? 0) / (dof.turns ? DEGREE : 1);
-      const unit = unitOf('force', dof.turns);
-      const where = running && dof.coordinate !== null ? `at ${number(q[dof.coordinate] / (dof.turns ? DEGREE : 1), 1)} ${unitOf('position', dof.turns)}, ` : '';
-      const value = moments[dof.index];
-      moment.textContent = value === undefined || shows === 'motion' ? '' : `${where}${running ? 'acts with' : 'held by'} ${number(value, 2)} ${unit}`;
-    }
-  }
-
   function showList(): void {
     const depths = new Map<string, number>();
-    for (const { name, parent } of links) depths.set(name, parent === null ? 0 : (depths.get(links[parent].name) ?? 0) + 1);
+    for (const { name, parent } of at.links) depths.set(name, parent === null ? 0 : (depths.get(at.links[parent].name) ?? 0) + 1);
     const drives = text.outline?.drives ?? [];
     list.set(
-      joints
+      at.joints
         .filter(({ dofs }) => dofs.length > 0)
         .map((joint) => ({
           joint,
@@ -456,25 +302,24 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   // --- the text changed
   let fresh = true;
   function sync(): void {
-    tree = parse(text.text) ?? tree;
+    at.tree = parse(text.text) ?? at.tree;
     const { outline } = text;
     if (outline) {
-      const other = JSON.stringify(outline.joints) !== JSON.stringify(joints);
-      if (other) joints = outline.joints;
-      if (!ahead && !live.on) q = [...outline.q];
+      const other = JSON.stringify(outline.joints) !== JSON.stringify(at.joints);
+      if (other) at.joints = outline.joints;
+      if (!at.ahead && !live.on) at.q = [...outline.q];
       if (other) {
-        if (!joints.some(({ name }) => name === chosen)) chosen = null;
+        if (!at.joints.some(({ name }) => name === at.chosen)) at.chosen = null;
         showList();
         showJoint();
       }
       showList();
     }
-    scenePart.sync(tree);
+    scenePart.sync(at.tree);
     failed.replaceChildren();
     syncJoint();
-    sayFaults();
-    if (outline && !live.on && (shows !== 'motion' || !fresh)) {
-      if (shows === 'motion') forget();
+    if (outline && !live.on && (at.shows !== 'motion' || !fresh)) {
+      if (at.shows === 'motion') forget();
       void posing();
     }
     fresh = false;
@@ -487,12 +332,12 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   app.engine.onAnew = () => {
     anew();
     live.stop();
-    [posed, shows] = ['', null];
+    [posed, at.shows] = ['', null];
   };
 
   // --- runs
   async function settled(): Promise<void> {
-    if (ahead) await writeStart();
+    if (at.ahead) await writeStart();
     await flush();
   }
 
@@ -508,8 +353,8 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
         if (now) words.textContent = now;
       });
       const report = ran.report as unknown as Record<string, unknown> & { drives: Outcome[] };
-      outcomes = report.drives ?? [];
-      showing('motion', () => app.showMotion(ran, rows(ran)));
+      at.outcomes = report.drives ?? [];
+      showing('motion', () => app.showMotion(ran, ranRows(ran)));
       remarks.replaceChildren(...ran.remarks.map((remark) => el('p', {}, remark)));
       syncJoint();
     } catch (error) {
@@ -527,7 +372,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     try {
       ours = true;
       await live.start(text.text, mass);
-      shows = 'live';
+      at.shows = 'live';
     } catch (error) {
       say(error);
     } finally {
@@ -552,7 +397,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     element,
     shown() {
       // Others may have posed another figure meanwhile.
-      [posed, shows, fresh, seen] = ['', null, true, false];
+      [posed, at.shows, fresh, seen] = ['', null, true, false];
       highlight.show(true);
       if (text.outline || text.faults.length > 0) sync();
       else text.set(text.text);
@@ -563,17 +408,4 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     },
   });
   showJoint();
-}
-
-// What is measured of a run.
-function rows({ report, remarks, duration }: RanScene): Row[] {
-  const { method, why, energy } = report as unknown as { method: string; why: string; energy: Record<string, number> };
-  const found: Row[] = [row('Duration', duration, 's'), { label: 'Method', value: '', unit: '', note: `${method}: ${why}` }];
-  for (const [name, value] of Object.entries(energy ?? {})) {
-    if (typeof value !== 'number' || !name.endsWith('_j')) continue;
-    const plainName = name.slice(0, -2).replaceAll('_', ' ');
-    found.push(row(plainName[0].toUpperCase() + plainName.slice(1), value, 'J', 3));
-  }
-  for (const remark of remarks) found.push({ label: '', value: '', unit: '', note: remark });
-  return found;
 }

@@ -120,7 +120,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
     el('summary', {}, 'Examples'),
     el('div', { class: 'choices', role: 'group', 'aria-label': 'Examples' }, ...EXAMPLES.map((example) => button(example.title, () => void choose(example).catch(app.fault)))),
   );
-  const runs = button('Run', () => void run(), { class: 'run', title: 'Ctrl Enter' });
+  const runs = button('Run', () => void run(), { class: 'main', title: 'Ctrl Enter' });
   const studies = button('Error against run time', () => void study(), { title: 'Runs it by every method, and says which comes how near in which time' });
   const again = button('Show its page', () => pages.open(), { hidden: true });
   const lock = (busy: boolean): void => {

@@ -12,8 +12,11 @@ import { fold } from '../ui/tabs.ts';
 import { three, view, type Data } from '../view.ts';
 
 const DEGREE = Math.PI / 180;
-// The longest frame of a walker (s).
+// The longest frame of a walker (s), and how many are asked for before the first of them is there.
 const LONGEST = 0.25;
+const AHEAD = 3;
+// How far limbs and shadows go from the middle, in sizes of the figure: half of a box.
+const REACH = [0.36, 0.55, 0.36];
 // How far ahead it is to face while it turns: as far as it turns in a step (rad).
 const TURN = 24 * DEGREE;
 // How much faster with Shift, and how much slower backward and aside.
@@ -56,7 +59,7 @@ export function makeSteerPanel(app: App): void {
   let speed = 1.2;
   let data: Data | null = null;
   let marks: Marks | null = null;
-  let state: Float64Array | null = null;
+  let state: SteeredFrame | null = null;
   let point: [number, number] | null = null;
   // What was told last, in words: the engine is told again only what is new.
   let told = '';
@@ -115,57 +118,59 @@ export function makeSteerPanel(app: App): void {
       begun();
       aside = left !== 0 || forward < 0;
       const full = speed * (fast ? FASTER : 1);
-      const heading = (state?.[2] ?? 0) + TURN * turn;
+      const heading = (state?.heading ?? 0) + TURN * turn;
       return { kind: 'go', left: full * SLOWER * left, forward: full * (forward < 0 ? SLOWER : 1) * forward, ...(turn !== 0 && { heading }) };
     }
     return point ? { kind: 'to', x: point[0], z: point[1], speed } : { kind: 'stop' };
   }
 
-  // --- on and on: the next frame is asked for when the last has come, so that the screen never waits.
-  let [owed, waits, since] = [0, false, 0];
+  // --- on and on: the next frames are asked for before the last has come, so that neither the screen nor the engine waits for the other.
+  let [owed, asked, since] = [0, 0, 0];
   const landings: number[] = [];
   let time = 0;
   function tick(elapsed: number): void {
     owed = Math.min(LONGEST, owed + elapsed);
-    if (waits || owed <= 0) return;
+    if (asked >= AHEAD || owed <= 0) return;
     const ours = data;
-    const asked = command();
-    const words = JSON.stringify(asked);
+    const wish = command();
+    const words = JSON.stringify(wish);
     if (words !== told) {
-      app.engine.call('steerBy', [asked]).catch(app.fault);
+      app.engine.call('steerBy', [wish]).catch(app.fault);
       told = words;
     }
     const dt = owed;
-    [owed, waits] = [0, true];
-    app.engine.call<SteeredFrame>('steerFrame', [dt]).then(
-      (frame) => {
-        waits = false;
-        if (ours === data && mine()) take(frame, dt);
-      },
-      (error) => {
-        waits = false;
-        if (ours !== data) return;
-        data = null;
-        app.fault(error);
-      },
-    );
+    owed = 0;
+    asked += 1;
+    app.engine
+      .call<SteeredFrame>('steerFrame', [dt])
+      .finally(() => (asked -= 1))
+      .then(
+        (frame) => {
+          if (ours === data && mine()) take(frame, dt);
+        },
+        (error) => {
+          if (ours !== data) return;
+          data = null;
+          app.fault(error);
+        },
+      );
   }
 
-  function take({ poses, ground, state: now, bent: words }: SteeredFrame, dt: number): void {
-    state = now;
+  function take(frame: SteeredFrame, dt: number): void {
+    const { poses, ground, place, heading, velocity, stands, bent: words } = frame;
+    state = frame;
     time += dt;
     const [x, y, z] = ground;
     const known = Math.hypot(x, y, z) < MOST * (data?.weight ?? Infinity);
     show.frame(poses, known ? [{ force: [...ground.subarray(0, 3)], cop: [...ground.subarray(3, 6)] }] : []);
     if (marks?.step(poses, dt)) landings.push(time);
     if (landings.length > STEPS) landings.shift();
-    const stands = now[5] === 1;
-    if (point && stands && Math.hypot(point[0] - now[0], point[1] - now[1]) < 0.3) goTo(null);
+    if (point && stands && Math.hypot(point[0] - place[0], point[1] - place[1]) < 0.3) goTo(null);
     const clock = performance.now();
     if (clock - since < WRITTEN) return;
     since = clock;
-    out.speed.textContent = `${number(stands ? 0 : Math.hypot(now[3], now[4]), 2)} m/s`;
-    const degrees = Math.round((Math.atan2(Math.sin(now[2]), Math.cos(now[2])) / DEGREE));
+    out.speed.textContent = `${number(stands ? 0 : Math.hypot(velocity[0], velocity[1]), 2)} m/s`;
+    const degrees = Math.round(Math.atan2(Math.sin(heading), Math.cos(heading)) / DEGREE);
     out.heading.textContent = degrees === 0 ? 'straight on' : `${Math.abs(degrees)}° to the ${degrees > 0 ? 'left' : 'right'}`;
     const steps = landings.length - 1;
     const goes = steps > 0 && time - landings[steps] < OVER;
@@ -177,7 +182,10 @@ export function makeSteerPanel(app: App): void {
 
   async function start(): Promise<void> {
     try {
-      const next = view.readData(await app.engine.call<string>('steer', [who]));
+      const [json, body] = await Promise.all([app.engine.call<string>('steer', [who]), app.skin({ ...who })]);
+      const next = view.readData(json);
+      if (body) next.body = body;
+      next.camera.reach = REACH.map((part) => part * next.size);
       if (app.tools.current() !== 'steer') return;
       // One arrow for both feet: it stands where the force of the ground as a whole does.
       next.feet = [{ link: 'ground', side: 'middle', force: new Float32Array(3), cop: new Float32Array(3) }];

@@ -6,12 +6,15 @@ import type { Row, ShownMotion, Who } from '../engine/protocol.ts';
 import { button, el, later, latest } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { fold } from '../ui/tabs.ts';
+import type { Body } from '../view.ts';
 
 const DEGREE = Math.PI / 180;
 // Body mass over squared height of people (kg/m²), where nobody says a mass.
 const BODY_MASS_INDEX = 23.8;
 // How long a slider rests before it is found within which values it can be (ms).
 const REST = 500;
+// How many of these intervals are kept.
+const KNOWN = 100;
 
 type Options = Record<string, unknown>;
 type Walked = ShownMotion & { report: Record<string, any> };
@@ -68,6 +71,8 @@ export function makeWalkPanel(app: App): WalkPanel {
   let rested: string | null = null;
   // The key of the walk that was shown last.
   let own: number | null = null;
+  // The panel is open before there is anything to walk by.
+  let started = false;
 
   const remark = el('p', { class: 'remark', 'aria-live': 'polite' });
   const sliders = new Map<string, Slider>();
@@ -174,8 +179,10 @@ export function makeWalkPanel(app: App): WalkPanel {
 
   const plan = latest(async (from: string | null) => {
     let walked: Walked;
+    let body: Body | null;
     try {
-      walked = await app.engine.call<Walked>('walk', [who, options(), asked.gait === 'run' ? 'A run' : 'A walk']);
+      const walks = app.engine.call<Walked>('walk', [who, options(), asked.gait === 'run' ? 'A run' : 'A walk']);
+      [walked, body] = await Promise.all([walks, app.skin({ ...who })]);
     } catch (error) {
       // What cannot be walked is said beside the number that was moved; the last answer stays.
       sliders.forEach((other, name) => other.fault(name === from ? (error as Error).message : null));
@@ -185,7 +192,7 @@ export function makeWalkPanel(app: App): WalkPanel {
     sliders.forEach((other) => other.fault(null));
     app.clear();
     own = walked.key;
-    app.showMotion(walked, rows(walked), { again: from !== null });
+    app.showMotion(walked, rows(walked), { again: from !== null, body });
     // What was not asked is what came of it.
     const { report } = walked;
     const came: Record<string, number> = { step_frequency: report.step_frequency_per_min, step_length: report.step_length_m, speed: report.speed_m_s };
@@ -200,20 +207,47 @@ export function makeWalkPanel(app: App): WalkPanel {
     remark.textContent = (report.notes as string[]).join(' ');
   });
 
-  // The interval of the number that was moved last, once it rests: by the other engine, so that no slider waits for it.
-  const bound = later(REST, async (name: string) => {
-    const field = [...WALK, ...RUN, ...STYLE].find((known) => known.name === name);
-    if (!field) return;
-    rested = name;
+  // The interval of the number that was moved last, once it rests: by the other engine, so that no slider waits for it. It is about all other
+  // numbers, and holds while they do.
+  const known = new Map<string, [number, number]>();
+  const scaleOf = (name: string): number | null => {
+    const field = [...WALK, ...RUN, ...STYLE].find((one) => one.name === name);
+    return field ? (field.scale ?? 1) : null;
+  };
+  function show(name: string, range: [number, number] | null): void {
+    const scale = scaleOf(name) ?? 1;
+    sliders.forEach((other, which) => other.range(which === name && range ? [range[0] / scale, range[1] / scale] : null));
+  }
+  function others(name: string): string {
+    const { [name]: _, ...asked } = options();
+    const { [name]: own, ...style } = (asked.style ?? {}) as Options;
+    return JSON.stringify([name, who, { ...asked, style }]);
+  }
+  const find = latest(async (name: string) => {
+    const words = others(name);
     try {
       const engine = await app.background();
       const range = await engine.call<[number, number] | null>('walkRange', [who, options(), name]);
-      if (rested !== name) return;
-      sliders.forEach((other, which) => other.range(which === name && range ? [range[0] / (field.scale ?? 1), range[1] / (field.scale ?? 1)] : null));
+      if (known.size >= KNOWN) known.clear();
+      if (range) known.set(words, range);
+      if (rested === name && others(name) === words) show(name, range);
     } catch {
       // Where no interval can be told, none is shown.
     }
   });
+  const rest = later(REST, (name: string) => {
+    if (rested === name) void find(name);
+  });
+  function bound(name: string): void {
+    const other = rested !== name;
+    rested = name;
+    const range = known.get(others(name));
+    const value = touched.get(name);
+    if (range && value !== undefined && value >= range[0] && value <= range[1]) return show(name, range);
+    // That of another number held for what this one was.
+    if (other) show(name, null);
+    if (scaleOf(name) !== null) rest(name);
+  }
 
   function moved(name: string): void {
     void plan(name);
@@ -226,11 +260,14 @@ export function makeWalkPanel(app: App): WalkPanel {
     element,
     shown: () => {
       // What is shown may be somebody else's.
-      if (app.show.isLive() || app.motion?.key !== own) void plan(null);
+      if (started && (app.show.isLive() || app.motion?.key !== own)) void plan(null);
     },
   });
   return {
-    start: () => plan(null),
+    start() {
+      started = true;
+      return plan(null);
+    },
     state: () => ({ who: { ...who }, asked: { ...asked }, touched: [...touched] }),
     restore(state) {
       Object.assign(who, state.who);

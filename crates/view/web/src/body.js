@@ -5,7 +5,8 @@ import { geometry } from './shapes.js';
 import { makePerson } from './person.js';
 import { makeLink, makeSkin } from './skin.js';
 
-export function makeBody(data) {
+export function makeBody(first) {
+  let data = first;
   const group = new Group();
   const materials = {};
   for (const side of ['left', 'right', 'middle']) {
@@ -60,6 +61,12 @@ export function makeBody(data) {
   return {
     group,
     outline,
+    // Moves as another motion of the same person says, where it is one: says whether it does.
+    load(next) {
+      const same = next.body !== undefined && next.body === data.body && next.links.length === links.length;
+      if (same) data = next;
+      return same;
+    },
     paint(theme) {
       for (const [side, material] of Object.entries(materials)) material.color.set(theme.body[side]);
       person?.paint(theme);

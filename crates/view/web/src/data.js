@@ -23,7 +23,7 @@ export function numbers(array) {
 const line = ({ side, values, spread }) => ({ side, values: numbers(values), spread: spread && numbers(spread) });
 
 // A skin: all arrays but the palette.
-const readBody = ({ palette, ...arrays }) => ({
+export const readBody = ({ palette, ...arrays }) => ({
   palette,
   ...Object.fromEntries(Object.entries(arrays).map(([name, array]) => [name, numbers(array)])),
 });

@@ -51,7 +51,8 @@ function goesAcross({ aim, half }) {
   return range(0) + 2 * half[0] > 1.5 * (range(2) + 2 * half[2]);
 }
 
-export function makeGround(data) {
+export function makeGround(first) {
+  let data = first;
   const group = new Group();
   group.position.y = data.ground.height;
   const { strong: step, parts } = spacing(data.size);
@@ -71,9 +72,9 @@ export function makeGround(data) {
   if (data.ground.solid) group.add(shadow);
   group.add(grid);
   // Only where a shadow can fall: what is drawn elsewhere would be seen through, and costs as much.
-  const [wide, tall, deep] = data.camera.reach ?? data.camera.half;
-  const soft = SOFT * data.size;
   function shade(aim) {
+    const [wide, tall, deep] = data.camera.reach ?? data.camera.half;
+    const soft = SOFT * data.size;
     const above = aim.y - group.position.y;
     const [low, high] = [Math.max(0, above - tall), Math.max(0, above + tall)];
     const falls = (axis) => [-low, -high].map((height) => (height * SUN[axis]) / SUN[1]);
@@ -85,9 +86,9 @@ export function makeGround(data) {
   }
 
   // The numbers run along the axis `along` and stand beside the figure on the axis `beside`.
-  const [along, beside] = goesAcross(data.camera) ? ['x', 'z'] : ['z', 'x'];
+  const across = goesAcross(data.camera);
+  const [along, beside] = across ? ['x', 'z'] : ['z', 'x'];
   const origin = { x: data.origin[0], z: data.origin[2] };
-  const reach = { x: data.camera.half[0], z: data.camera.half[2] };
   const sign = new PlaneGeometry(0.15 * SHAPE * step, 0.15 * step).rotateX(-Math.PI / 2);
   const numbers = makeNumbers(group, step, NUMBERS, (texture, at) => {
     const mesh = new Mesh(sign, new MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }));
@@ -107,13 +108,20 @@ export function makeGround(data) {
       numbers.paint(theme);
     },
     height: () => group.position.y,
+    // Serves another motion, where it is on the same floor: says whether it does.
+    load(next) {
+      const alike = (one) => JSON.stringify([one.ground, one.origin, spacing(one.size)]);
+      const same = alike(next) === alike(data) && goesAcross(next.camera) === across;
+      if (same) data = next;
+      return same;
+    },
     // The patch is where the camera looks; the numbers lie on the side of the path that the camera is on, turned towards it. The figure is at `aim`.
     face(camera, target, aim) {
       shade(aim);
       grid.position.set(snap(target.x, 'x', step), 0, snap(target.z, 'z', step));
       const quarter = Math.PI / 2;
       const turn = Math.round(Math.atan2(camera.position.x - target.x, camera.position.z - target.z) / quarter) * quarter;
-      const away = reach[beside] + 0.17 * data.size;
+      const away = data.camera.half[beside === 'x' ? 0 : 2] + 0.17 * data.size;
       const line = snap(target[beside], beside, step / parts) + (camera.position[beside] < target[beside] ? -away : away);
       for (const mesh of numbers.near(target[along] + origin[along])) {
         mesh.position[beside] = line;

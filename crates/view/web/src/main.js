@@ -5,7 +5,7 @@ import uPlot from 'uplot';
 import { makeBody, mixAt } from './body.js';
 import { makeClock } from './clock.js';
 import { makeControls } from './controls.js';
-import { readData } from './data.js';
+import { readBody, readData } from './data.js';
 import { makePicture } from './picture.js';
 import { makePlots } from './plots.js';
 import { makeStudioButton } from './studio.js';
@@ -23,6 +23,7 @@ globalThis.solarisView = {
   makeTabs,
   mixAt,
   onThemeChange,
+  readBody,
   readData,
   readTheme,
   three,

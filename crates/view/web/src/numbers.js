@@ -1,6 +1,7 @@
 // Numbers that stand in the picture beside lines, and the distance of these lines.
 
 import { CanvasTexture, SRGBColorSpace } from 'three';
+import { isSlow } from './pace.js';
 
 // Size of a figure that has a strong line each metre (m).
 const PERSON = 1.75;
@@ -37,7 +38,8 @@ function written(text) {
   canvas.height = canvas.width / SHAPE;
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 8;
+  // Numbers lie on the floor; a processor takes as long for their sharpness as for all lines.
+  texture.anisotropy = isSlow() ? 1 : 8;
   const paint = (theme) => {
     const pen = canvas.getContext('2d');
     pen.clearRect(0, 0, canvas.width, canvas.height);

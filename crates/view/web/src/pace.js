@@ -12,7 +12,9 @@ const RESTS = 8;
 const PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 // Whether a processor draws: smoothing edges costs it as much as all the rest.
-export function isSlow() {
+let slow = null;
+export const isSlow = () => (slow ??= drawsByProcessor());
+function drawsByProcessor() {
   const gl = document.createElement('canvas').getContext('webgl2');
   const names = gl?.getExtension('WEBGL_debug_renderer_info');
   const name = gl?.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER) ?? '';
@@ -54,8 +56,8 @@ export function makePace(renderer, slow) {
     // Nothing has moved; says whether it is to be drawn once more, sharply.
     rest() {
       rests += 1;
-      // Begins to measure anew.
-      [last, sum, count] = [-Infinity, 0, 0];
+      // Begins to measure anew: what did not help may have been another program's doing.
+      [last, sum, count, before, least] = [-Infinity, 0, 0, 0, PARTS.length - 1];
       if (rests !== RESTS || renderer.getPixelRatio() === still) return false;
       set(still);
       return true;

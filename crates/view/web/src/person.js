@@ -50,7 +50,8 @@ const channels = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2
 function makeGeometry(body) {
   const count = body.points.length / 3;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(body.points, 3));
+  // Its points are moved in place, and others may show the same person.
+  geometry.setAttribute('position', new BufferAttribute(body.points.slice(), 3));
   const places = new Float32Array(2 * count);
   for (let i = 0; i < count; i += 1) {
     // Left is +x.

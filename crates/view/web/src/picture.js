@@ -31,21 +31,19 @@ function sight({ aim }, height) {
     });
 }
 
-// Everything on the stage that belongs to one motion.
-function makeParts(holder, data) {
+// Everything on the stage that belongs to one motion; `body`, `ground`: what is there already of the same person and floor.
+function makeParts(holder, data, { body, ground }) {
   return {
-    ground: data.ground.relief ? makeRelief(data) : makeGround(data),
+    ground: ground ?? (data.ground.relief ? makeRelief(data) : makeGround(data)),
     heights: makeHeights(data),
-    body: makeBody(data),
+    body: body ?? makeBody(data),
     forces: makeForces(data, holder),
     trail: makeTrail(data),
   };
 }
 
 // Gives back what a part holds in the memory of the graphics.
-function dispose({ group, clear }) {
-  clear?.();
-  group.removeFromParent();
+function dispose({ group }) {
   group.traverse((object) => {
     object.geometry?.dispose();
     object.skeleton?.dispose();
@@ -62,6 +60,8 @@ export function makePicture(holder, data, clock) {
   let stale = true;
   let follow = true;
   const hidden = new Set();
+  // Parts that are shown no more.
+  const gone = [];
   const touch = () => (stale = true);
   const target = new Vector3();
   // The camera looks at the middle of the box that has the figure in it at any time.
@@ -81,13 +81,22 @@ export function makePicture(holder, data, clock) {
     // Shows another motion by another clock; `still`: the camera stays where it is.
     load(next, nextClock, { still = false } = {}) {
       forget();
-      Object.values(parts).forEach(dispose);
+      const kept = {};
+      for (const [name, part] of Object.entries(parts)) {
+        if (part.load?.(next)) {
+          kept[name] = part;
+          continue;
+        }
+        part.clear?.();
+        part.group.removeFromParent();
+        gone.push(part);
+      }
       [motion, time] = [next, nextClock];
-      parts = makeParts(holder, motion);
+      parts = makeParts(holder, motion, kept);
       for (const [name, part] of Object.entries(parts)) {
         part.group.visible = !hidden.has(name);
         stage.scene.add(part.group);
-        if (theme) part.paint(theme);
+        if (theme && part !== kept[name]) part.paint(theme);
       }
       const sees = motion.ground.relief ? sight(motion.camera, parts.ground.height) : () => true;
       stage.frame({ size: motion.size, half: motion.camera.half, climbs: parts.ground.climbs, sees });
@@ -143,6 +152,8 @@ export function makePicture(holder, data, clock) {
       parts.ground.face(stage.camera, stage.controls.target, target);
       parts.heights.face(stage.camera, stage.controls.target);
       stage.draw();
+      // What the next one is drawn with, compiled, is that of the one before: it goes when that is drawn.
+      gone.splice(0).forEach(dispose);
       parts.forces.label(stage.camera, stage.width, stage.height);
       // Following the figure moves the camera, which reports a change that this drawing has already shown.
       stale = false;

@@ -20,8 +20,15 @@ const pale = (theme, side) => `color-mix(in srgb, ${theme.line[side]} ${theme.da
 // The lower and the upper edge of the band around a line.
 const edges = ({ values, spread }) => [-1, 1].map((sign) => values.map((value, i) => value + sign * spread[i]));
 
-// One plot in `section`. `quantity`: { unit, lines: [{ side, values, spread }] }.
-function makePlot(section, data, clock, quantity, theme) {
+// Whether a plot of one can show the other: lines and bands of the same sides in the same unit.
+const alike = (a, b) =>
+  a.unit === b.unit &&
+  a.lines.length === b.lines.length &&
+  a.lines.every(({ side, spread }, i) => side === b.lines[i].side && Boolean(spread) === Boolean(b.lines[i].spread));
+
+// One plot in `section`. `first`: { unit, lines: [{ side, values, spread }] }, over `time`.
+function makePlot(section, time, clock, first, theme) {
+  let quantity = first;
   const holder = section.querySelector('.curve');
   const readout = section.querySelector('.readout');
   const font = `11px ${theme.font}`;
@@ -29,6 +36,7 @@ function makePlot(section, data, clock, quantity, theme) {
   const size = () => ({ width: Math.max(160, holder.clientWidth), height: Math.max(80, holder.clientHeight) });
   // Edges come before lines: bands lie behind all of these, and the axis holds them.
   const banded = quantity.lines.filter(({ spread }) => spread);
+  const columns = (times, { lines }) => [times, ...lines.filter(({ spread }) => spread).flatMap(edges), ...lines.map(({ values }) => values)];
   section.classList.toggle('banded', banded.length > 0);
   const edge = { width: 0, points: { show: false }, pxAlign: 0 };
   const plot = new uPlot(
@@ -49,7 +57,7 @@ function makePlot(section, data, clock, quantity, theme) {
       ],
       bands: banded.map(({ side }, i) => ({ series: [2 * i + 2, 2 * i + 1], fill: pale(theme, side) })),
     },
-    [data.time, ...banded.flatMap(edges), ...quantity.lines.map(({ values }) => values)],
+    columns(time, quantity),
     holder,
   );
   const marker = document.createElement('div');
@@ -95,6 +103,14 @@ function makePlot(section, data, clock, quantity, theme) {
   observer.observe(holder);
   return {
     update,
+    // Shows another quantity in place, where it is like the one before; says whether it does.
+    load(times, next) {
+      if (!alike(quantity, next)) return false;
+      quantity = next;
+      plot.setData(columns(times, quantity));
+      update();
+      return true;
+    },
     destroy() {
       observer.disconnect();
       plot.destroy();
@@ -138,16 +154,18 @@ function makeChooser(root, joints, choose) {
 }
 
 // `joints` and `forces`: where the curves of a joint and those of the ground's forces go.
-export function makePlots(joints, forces, data, clock, theme) {
-  let colours = theme;
+export function makePlots(joints, forces, first, clock, theme) {
+  let [data, colours] = [first, theme];
   let chosen = 0;
   const live = new Map();
-  const put = (section, quantity) => {
+  // `loads`: the same curves of another motion.
+  const put = (section, quantity, loads) => {
+    if (loads && quantity && live.get(section)?.load(data.time, quantity)) return;
     live.get(section)?.destroy();
     live.delete(section);
     section.hidden = !quantity;
     section.querySelector('.curve').setAttribute('aria-label', `${section.querySelector('h2').textContent} over time`);
-    if (quantity) live.set(section, makePlot(section, data, clock, quantity, colours));
+    if (quantity) live.set(section, makePlot(section, data.time, clock, quantity, colours));
     live.get(section)?.update();
   };
 
@@ -155,7 +173,7 @@ export function makePlots(joints, forces, data, clock, theme) {
   if (data.joints.length > 0) {
     const mark = makeChooser(joints, data.joints, (index) => {
       chosen = index;
-      showJoint();
+      showJoint(false);
     });
     const angle = makeSection(joints, '');
     const moment = makeSection(joints, '');
@@ -164,27 +182,27 @@ export function makePlots(joints, forces, data, clock, theme) {
     caption.className = 'caption';
     caption.textContent = `areas: ${data.bands}`;
     power.before(caption);
-    const showJoint = () => {
+    const showJoint = (loads) => {
       const joint = data.joints[chosen];
       mark(chosen);
       angle.querySelector('h2').textContent = joint.label;
       moment.querySelector('h2').textContent = `${joint.label} ${joint.effort?.unit.startsWith('N/') ? 'force' : 'moment'}`;
       power.querySelector('h2').textContent = `${joint.label} power`;
-      put(angle, joint.position);
-      put(moment, joint.effort);
-      put(power, joint.power);
+      put(angle, joint.position, loads);
+      put(moment, joint.effort, loads);
+      put(power, joint.power, loads);
       const shown = [joint.position, joint.effort].flatMap((plot) => plot?.lines ?? []);
       caption.hidden = !data.bands || !shown.some(({ spread }) => spread);
     };
     drawn.push(showJoint);
   }
-  for (const plot of data.forces) {
-    const section = makeSection(forces, plot.label);
-    drawn.push(() => put(section, plot));
-  }
+  data.forces.forEach(({ label }, i) => {
+    const section = makeSection(forces, label);
+    drawn.push((loads) => put(section, data.forces[i], loads));
+  });
   forces.hidden = data.forces.length === 0;
   joints.hidden = data.joints.length === 0;
-  drawn.forEach((draw) => draw());
+  drawn.forEach((draw) => draw(false));
   const forget = clock.onChange(() => live.forEach((plot) => plot.update()));
 
   return {
@@ -196,7 +214,15 @@ export function makePlots(joints, forces, data, clock, theme) {
     },
     paint(next) {
       colours = next;
-      drawn.forEach((draw) => draw());
+      drawn.forEach((draw) => draw(false));
+    },
+    // The same joints and forces of another motion, in place; says whether it has them.
+    load(next) {
+      const labels = (one) => [one.bands, ...[...one.joints, ...one.forces].map(({ label }) => label)].join('\n');
+      if (next.joints.length !== data.joints.length || labels(next) !== labels(data)) return false;
+      data = next;
+      drawn.forEach((draw) => draw(true));
+      return true;
     },
   };
 }

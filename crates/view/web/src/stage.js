@@ -38,6 +38,8 @@ const PERSON = 1.75;
 export function makeStage(holder) {
   const slow = isSlow();
   const renderer = new WebGLRenderer({ antialias: !slow });
+  // To ask whether a program compiles waits for the graphics each time.
+  renderer.debug.checkShaderErrors = false;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.domElement.setAttribute('role', 'img');
@@ -56,7 +58,8 @@ export function makeStage(holder) {
   const sky = new HemisphereLight(0xffffff, 0xb8b0a4, 1.9);
   const sun = new DirectionalLight(0xffffff, 2.1);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(1024, 1024);
+  const pixels = slow ? 512 : 1024;
+  sun.shadow.mapSize.set(pixels, pixels);
   sun.shadow.radius = 2.5;
   sun.shadow.bias = -0.0004;
   scene.add(sky, sun, sun.target);

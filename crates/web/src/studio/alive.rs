@@ -28,7 +28,7 @@ impl Alive {
 impl Alive {
     /// What a page holds of it now, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        still(&self.figure, self.running.q(), self.ground)
+        still(&self.figure, self.running.q(), self.ground, true)
     }
 
     /// Goes on by `dt` (s), and gives the poses of all links: seven numbers each.

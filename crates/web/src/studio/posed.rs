@@ -42,7 +42,7 @@ impl Posed {
 
     /// What a page holds of it, as JSON.
     pub fn data(&self) -> Result<String, JsError> {
-        still(&self.figure, &self.q, self.ground)
+        still(&self.figure, &self.q, self.ground, true)
     }
 
     /// The figure: its name, its mass, its links with their parents, its joints with their degrees of freedom, as JSON.

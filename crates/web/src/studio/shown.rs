@@ -68,9 +68,9 @@ impl Shown {
         anatomy(&self.figure.figure, &soles(&self.figure.figure))
     }
 
-    /// What a page holds of it, as JSON.
-    pub fn data(&self) -> Result<String, JsError> {
-        shown_data(&self.figure.figure, &self.motion, &self.options)
+    /// What a page holds of it, as JSON; `skinned`: with the skin of a person (see `skinOf`).
+    pub fn data(&self, skinned: bool) -> Result<String, JsError> {
+        shown_data(&self.figure.figure, &self.motion, &self.options, skinned)
     }
 
     /// A page that shows it, by the viewer's script and style, with rows of a table: label, value, unit and note, one after the other.
