@@ -192,7 +192,8 @@ impl Maker<'_> {
                         (1.0, MOST_SPEEDS as f64),
                     ));
                 }
-                let mut speeds: Vec<f64> = speeds.iter().copied().filter(|speed| !(*speed < 0.0)).collect();
+                let mut speeds: Vec<f64> =
+                    speeds.iter().copied().filter(|speed| speed.is_nan() || *speed >= 0.0).collect();
                 if speeds.is_empty() {
                     return Err(range("number of speeds forward", 0.0, "", (1.0, MOST_SPEEDS as f64)));
                 }

@@ -36,7 +36,9 @@ pub(super) fn manifests(state: &State) -> Result<Done, String> {
         if package.categories.is_empty() {
             fault("no categories");
         }
-        readme::faults(package).iter().for_each(|lacking| fault(lacking));
+        for lacking in readme::faults(package) {
+            fault(&lacking);
+        }
         without_place += usize::from(package.repository.is_none());
         let folder = package.manifest_path.parent().unwrap_or(Path::new("."));
         for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {

@@ -69,7 +69,7 @@ impl Veil {
                     if rest[1..].starts_with(|c: char| c.is_ascii_digit())
                         && !veiled.ends_with(is_of_word) =>
                 {
-                    let piece = &rest[..1 + number(&rest[1..]).len()];
+                    let piece = &rest[..=number(&rest[1..]).len()];
                     (piece, "#".to_owned())
                 }
                 _ if is_of_word(first) => {

@@ -143,7 +143,7 @@ fn table(out: &mut dyn Write, set: &ClipSet, written: &[String]) -> std::io::Res
             clip.name.clone(),
             format!("{}", clip.motion.len() - usize::from(clip.repeats)),
             format!("{:.2} s", clip.duration()),
-            if speed != 0.0 { format!("{speed:.2} m/s") } else { String::new() },
+            if speed == 0.0 { String::new() } else { format!("{speed:.2} m/s") },
             if clip.turn == 0.0 { String::new() } else { format!("{:.0}°", clip.turn.to_degrees()) },
             clip.seam.map_or_else(String::new, |seam| format!("{:.2}°", seam.angle.to_degrees())),
         ]

@@ -67,7 +67,9 @@ fn fault(name: &str, bytes: &[u8]) -> Option<String> {
                 .nth(1)
                 .and_then(|rest| rest.split('"').next());
             match policy {
-                None if name.ends_with(".html") => Some("it has no policy".to_owned()),
+                None if Path::new(name).extension().is_some_and(|ext| ext == "html") => {
+                    Some("it has no policy".to_owned())
+                }
                 Some(policy)
                     if !policy.starts_with("default-src 'none'") || policy.contains("connect-src") =>
                 {

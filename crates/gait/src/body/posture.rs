@@ -91,7 +91,6 @@ impl Posture {
             legs: [right_leg, left_leg],
             heading: -self.heading,
             feet: [-self.feet[1], -self.feet[0]],
-            ..self
         }
     }
 

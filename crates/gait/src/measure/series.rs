@@ -80,7 +80,7 @@ impl<'a> Series<'a> {
             poses.extend(soled.iter().map(|&link| *workspace.pose(link)));
         }
         let first = figure.layout().joints()[0].q + 3;
-        let facing = |i: usize| motion.q(i)[first + if seen { 0 } else { 1 }].sin_cos();
+        let facing = |i: usize| motion.q(i)[first + usize::from(!seen)].sin_cos();
         let (mut ahead, mut way) = (0.0, 0.0);
         for (i, pair) in com.windows(2).enumerate() {
             let ((sin, cos), step) = (facing(i), pair[1] - pair[0]);

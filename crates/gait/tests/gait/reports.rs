@@ -88,7 +88,7 @@ fn a_smooth_walk_is_written_with_units_in_its_keys() {
         })
     );
     let recipe = &band_reports(&stride)[0];
-    let written = serde_json::to_value(&recipe).expect("written");
+    let written = serde_json::to_value(recipe).expect("written");
     assert_eq!((&written["name"], &written["of"]), (&json!("recipe"), &json!(22)));
     assert_eq!(written["inside"], json!(recipe.checks.iter().filter(|check| check.inside).count()));
     let expected = json!({
