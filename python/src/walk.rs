@@ -54,7 +54,7 @@ pub(crate) struct Walk {
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, step_frequency=None, step_length=None, speed=None, steps=None,
-    distance=None, turn=0.0, backward=False, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
+    distance=None, turn=0.0, backward=false, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
     population=None, manner=None, left=None, right=None, variability=None, seed=0, style=None, left_first=None,
     determinants=None, r#loop=None, rate=None
 ))]
