@@ -319,11 +319,12 @@ impl Human {
             Some(age) if age.is_nan() || age < child::AGES.0 => return Err(HumanError::Age { age }),
             age => child::Proportions::at(age.unwrap_or(child::AGES.1)),
         };
-        let carried = |(hand, load): &&(String, f64)| {
-            !["left", "right"].contains(&hand.as_str()) || !(0.0..=MOST_LOAD * mass).contains(load)
-        };
-        if let Some((hand, load)) = self.loads.iter().find(carried) {
-            return Err(HumanError::Load { hand: hand.clone(), load: *load, mass });
+        for (hand, load) in &self.loads {
+            let in_all: f64 = self.loads.iter().filter(|(own, _)| own == hand).map(|(_, load)| load).sum();
+            let is_hand = ["left", "right"].contains(&hand.as_str());
+            if !is_hand || load.is_nan() || *load < 0.0 || !(0.0..=MOST_LOAD * mass).contains(&in_all) {
+                return Err(HumanError::Load { hand: hand.clone(), load: in_all, mass });
+            }
         }
         let mut factors: Vec<(String, f64)> = Vec::new();
         for (name, length) in &self.lengths {

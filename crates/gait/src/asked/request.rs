@@ -250,8 +250,8 @@ pub(super) fn unknown(
 
 fn next(part: &PartOptions) -> Result<Next, RequestError> {
     let PartOptions { steps, distance, stand, step_frequency, step_length, speed, turn, backward } = *part;
-    let steps_or_none = steps.unwrap_or_default();
-    let walked = WalkPart { steps: steps_or_none, step_frequency, step_length, speed, turn, backward };
+    let count = steps.unwrap_or_default();
+    let walked = WalkPart { steps: count, step_frequency, step_length, speed, turn, backward };
     match (steps, distance, stand) {
         (None, None, Some(time)) if walked == WalkPart::default() => Ok(Next::Stand(time)),
         (None, None, Some(_)) => Err(RequestError::Both { one: "stand", other: "a pace or a turn" }),

@@ -371,4 +371,7 @@ fn a_load_in_a_hand_is_a_point_mass_in_the_fist() {
         let error = Human::new(1.741, 73.0).load(hand, load).build().expect_err("refused").to_string();
         assert!(error.contains("can carry 0 to 21.9 kg in a hand, left or right"), "{error}");
     }
+    // What is put into a hand twice is carried together.
+    let both = Human::new(1.741, 73.0).load("left", 15.0).load("left", 15.0).build().expect_err("refused");
+    assert!(both.to_string().starts_with("load of 30 kg in the left hand"), "{both}");
 }
