@@ -41,7 +41,7 @@ pub(crate) fn balance(style: &mut Style, body: &Body) {
     for (side, moment) in style.manner.arm_sides.iter_mut().zip(moments) {
         *side *= least / moment;
     }
-    // Nearly a straight line: some steps of the rule of false position along it.
+    // Nearly a straight line: some steps of the secant method along it.
     let beside = |style: &mut Style, lean: f64| {
         style.manner.side_lean = lean;
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
