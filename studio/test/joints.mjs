@@ -262,7 +262,7 @@ test('a curve is drawn by its points and says where it turns round', async (t) =
 test('a live scene gives way to a pull, obeys its servo, and goes back to what it was', async (t) => {
   const page = await openJoints(t);
   if (!page) return;
-  await setScene(page, 'Scene(version: 1, figures: {"ann": Human(height: 1.75, mass: 73.0)}, duration: 3.0, method: Impulses(step: 0.001), drives: {"*": Frozen, "left_shoulder.*": Free, "left_elbow.rx": Servo(to: 0.0, stiffness: 40.0, damping: 4.0)})');
+  await setScene(page, 'Scene(version: 1, figures: {"ann": Human(height: 1.75, mass: 73.0, joints: Limp)}, duration: 3.0, method: Impulses(step: 0.001), drives: {"*": Frozen, "left_shoulder.*": Free, "left_elbow.rx": Servo(to: 0.0, stiffness: 40.0, damping: 4.0)})');
   await page.selectOption('#view', 'front');
   await find(page, 'left elbow', 'left_elbow');
   await page.click('button:text-is("Play live")');
@@ -310,6 +310,16 @@ test('a live scene gives way to a pull, obeys its servo, and goes back to what i
   await page.waitForFunction((count) => Number(document.querySelector('.alive input[type=range]').max) === count, last - 2);
   await page.click('button:text-is("Back")');
   assert.equal(await pose(), before);
+});
+
+test('a shoulder in gimbal lock says so, and takes joints that never lock', async (t) => {
+  const page = await openJoints(t);
+  if (!page) return;
+  await setScene(page, 'Scene(version: 1, figures: {"ann": Human(height: 1.75, mass: 73.0)}, duration: 1.0, drives: {"*": Frozen, "left_shoulder.*": Free}, start: {"left_shoulder.ry": deg(89.9)})');
+  await page.click('button:text-is("Play live")');
+  await page.waitForSelector('text=from gimbal lock');
+  await page.click('button:text-is("Take joints that never lock")');
+  await hasText(page, 'joints: Limp');
 });
 
 test('what is wrong is said in the program’s words beside what it is about', async (t) => {

@@ -27,6 +27,8 @@ const REST = 300;
 const SCENE = 'scene';
 // For whatever is too stiff to be simulated while it is looked at.
 const IMPULSES = 'Impulses(step: 0.001)';
+// Of a human whose shoulders no motion takes into gimbal lock.
+const LIMP = 'Limp';
 
 export function makeJointsPanel(app: App, text: SceneDocument): void {
   const at = nothing();
@@ -131,6 +133,11 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     failed.replaceChildren(el('p', { class: 'fault' }, message));
     if (/too long for|stiff/.test(message) && !field(at.tree, 'method')) {
       failed.append(button('Take steps by impulses', () => void write([{ path: ['method'], value: IMPULSES }]), { title: `method: ${IMPULSES}` }));
+    }
+    const angles = (field(at.tree, 'figures')?.entries ?? []).filter(({ value }) => value.name === 'Human' && !value.fields?.has('joints'));
+    if (message.includes('gimbal lock') && angles.length > 0) {
+      const edits = angles.map(({ key }) => ({ path: ['figures', key, 'joints'], value: LIMP }));
+      failed.append(button('Take joints that never lock', () => void write(edits), { title: `joints: ${LIMP}` }));
     }
     // Beside the joint that it names, too.
     const named = at.joints.find(({ name, dofs }) => message.includes(`'${name}'`) || dofs.some((dof) => message.includes(`'${dof.name}'`)));
