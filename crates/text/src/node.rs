@@ -59,6 +59,30 @@ pub enum Content<'a> {
 }
 
 impl<'a> Node<'a> {
+    /// As it stands where so many bytes come before its text.
+    pub fn moved(mut self, by: usize) -> Self {
+        self.shift(by);
+        self
+    }
+
+    fn shift(&mut self, by: usize) {
+        let shift = |span: &mut Range<usize>| *span = span.start + by..span.end + by;
+        shift(&mut self.span);
+        let Value::Group(group) = &mut self.value else { return };
+        group.name.iter_mut().for_each(|name| shift(&mut name.span));
+        match &mut group.content {
+            Content::Fields(fields) => fields.iter_mut().for_each(|(named, node)| {
+                shift(&mut named.span);
+                node.shift(by);
+            }),
+            Content::Tuple(items) | Content::List(items) => items.iter_mut().for_each(|item| item.shift(by)),
+            Content::Map(entries) => entries.iter_mut().for_each(|(key, node)| {
+                key.shift(by);
+                node.shift(by);
+            }),
+        }
+    }
+
     /// The group, if it is one.
     pub fn group(&self) -> Option<&Group<'a>> {
         if let Value::Group(group) = &self.value { Some(group) } else { None }

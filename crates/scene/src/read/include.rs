@@ -8,14 +8,13 @@ use std::ops::Range;
 const EXAMPLE: &str = "[\"people.ron\"]";
 /// The most texts that a scene can include, and how large all of them together may be (bytes).
 const MOST: usize = 200;
-const LARGEST: usize = 64 << 20;
+const LARGEST: usize = 16 << 20;
 
 /// A text that is included.
 pub(super) struct Included {
     path: String,
     text: String,
-    /// The text behind as many blanks as all texts before it are long, so that no two bytes of a scene have the same place.
-    padded: String,
+    /// How long all texts before it are, which its places are moved by, so that no two bytes of a scene have the same place.
     base: usize,
     /// Where the scene itself includes it, or what includes it.
     place: Range<usize>,
@@ -70,24 +69,21 @@ impl<'l> Gathering<'l> {
                 Ok(text)
             }
         });
-        let parsed =
-            fetched.map_err(refuse).and_then(|text| match parse(&text, "scene", "Scene(version: 1, …)") {
-                Ok(_) => Ok(text),
-                Err(error) => Err((item.span.clone(), format!("'{path}', {error}"))),
-            });
-        let text = match parsed {
+        let text = match fetched.map_err(refuse) {
             Ok(text) => text,
             Err((span, why)) => return self.reader.fault(span, why),
         };
         let base = self.base;
-        self.base += text.len() + 1;
-        let padded = format!("{}{text}", " ".repeat(base));
-        if let Ok(tree) = parse(&padded, "scene", "Scene(version: 1, …)") {
-            self.open.push(path.to_owned());
-            self.gather(&tree, Some(&place));
-            self.open.pop();
+        match parse(&text, "scene", "Scene(version: 1, …)") {
+            Ok(tree) => {
+                self.base += text.len() + 1;
+                self.open.push(path.to_owned());
+                self.gather(&tree.moved(base), Some(&place));
+                self.open.pop();
+            }
+            Err(error) => return self.reader.fault(item.span.clone(), format!("'{path}', {error}")),
         }
-        self.found.push(Included { path: path.to_owned(), text, padded, base, place });
+        self.found.push(Included { path: path.to_owned(), text, base, place });
     }
 
     /// The texts, and the faults on the way.
@@ -103,7 +99,7 @@ impl Included {
     ///
     /// As [`parse`]; none where it has been gathered.
     pub(super) fn tree(&self) -> Result<Node<'_>, TextError> {
-        parse(&self.padded, "scene", "Scene(version: 1, …)")
+        parse(&self.text, "scene", "Scene(version: 1, …)").map(|tree| tree.moved(self.base))
     }
 }
 

@@ -85,3 +85,36 @@ fn texts_that_a_scene_includes_are_counted() {
     };
     ends_at(200, "a scene includes 200 texts at most", included);
 }
+
+/// A loader of texts of so many bytes.
+struct Long(usize);
+
+impl Loader for Long {
+    fn figure(&mut self, _path: &str) -> Result<Figure, String> {
+        Err("there is none".to_owned())
+    }
+
+    fn text(&mut self, _path: &str) -> Result<String, String> {
+        let scene = "Scene(version: 1)";
+        Ok(" ".repeat(self.0 - scene.len()) + scene)
+    }
+}
+
+/// Each used to be kept behind as many blanks as all before it were long: two hundred took gigabytes.
+#[test]
+fn texts_that_a_scene_includes_are_weighed_together() {
+    let included = |bytes: usize| {
+        let head = format!(
+            "Scene(version: 1, duration: 1, include: [\"a.ron\", \"b.ron\"], figures: {{\"f\": {PENDULUM}}})"
+        );
+        let half = (bytes - head.len() - 2) / 2;
+        read(&head, &mut Long(half)).err().map_or_else(String::new, |error| error.to_string())
+    };
+    let most = 16 << 20;
+    assert!(included(most).is_empty(), "{}", included(most));
+    assert!(
+        included(most + 2).contains("the texts of a scene have 16777216 bytes at most"),
+        "{}",
+        included(most + 2)
+    );
+}
