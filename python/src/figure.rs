@@ -43,19 +43,25 @@ impl Figure {
 /// (66, 58.0)
 ///
 /// `age` (years) below 18 has a child's proportions. `heading_first` makes the root turn by its heading first, which walks
-/// that turn round and `Walker` need. Without a mass it is 23.8 times the squared height.
+/// that turn round and `Walker` need. Without a mass it is 23.8 times the squared height. `load` is what hands carry (kg),
+/// which comes on top of the mass:
+///
+/// >>> round(solaris.human(1.65, 58.0, load={"right": 6.0}).mass, 9)
+/// 64.0
 #[pyfunction]
-#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false))]
+#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false, load=None))]
 pub(crate) fn human(
     height: f64,
     mass: Option<f64>,
     age: Option<f64>,
     heading_first: bool,
+    load: Option<BTreeMap<String, f64>>,
 ) -> PyResult<Figure> {
     let mass = mass.unwrap_or(BODY_MASS_INDEX * height * height);
     let root = if heading_first { RootOrder::Yzx } else { RootOrder::Zyx };
     let human = Human::new(height, mass).root(root);
     let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
+    let human = load.into_iter().flatten().fold(human, |human, (hand, load)| human.load(hand, load));
     let figure = human.build().map_err(|error| errors::plain("FigureError")(&error))?;
     Ok(Figure::own(figure))
 }

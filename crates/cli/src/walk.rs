@@ -77,7 +77,8 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     // Pages and clips go by their time; who plays frame after frame shall not see one twice.
     let shorter = if planned.repeats { Some(without_last(&figure, &motion)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);
-    let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
+    let carried = args.who.person.loads.iter().map(|(_, load)| load).sum();
+    let report = Report::new((figure.mass(), carried), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
         let motion =

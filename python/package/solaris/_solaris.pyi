@@ -393,7 +393,12 @@ class Kinematics:
     def converged(self) -> int: ...
 
 def human(
-    height: float = 1.75, mass: Optional[float] = None, *, age: Optional[float] = None, heading_first: bool = False
+    height: float = 1.75,
+    mass: Optional[float] = None,
+    *,
+    age: Optional[float] = None,
+    heading_first: bool = False,
+    load: Optional[Mapping[str, float]] = None,
 ) -> Figure: ...
 def read_figure(path: _Path, *, files: Optional[_Path] = None) -> Figure: ...
 def read_motion(figure: Figure, path: _Path) -> Motion: ...

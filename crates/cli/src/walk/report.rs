@@ -41,7 +41,11 @@ pub(crate) struct Report {
 #[derive(Debug, Serialize)]
 pub(crate) struct Person {
     pub(crate) height_m: f64,
+    /// Of the person alone.
     pub(crate) mass_kg: f64,
+    /// In both hands together.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) carried_kg: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -86,8 +90,9 @@ pub(crate) struct RunTime {
 }
 
 impl Report {
+    /// Of a person of so much mass, of which hands carry so much (kg).
     pub(crate) fn new(
-        mass: f64,
+        (mass, carried): (f64, f64),
         planned: Planned,
         motion: &Motion,
         measures: WalkMeasures,
@@ -137,7 +142,11 @@ impl Report {
         let WalkMeasures { steps, distance, duration, double_supports, extremes, joints, steady } = measures;
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            person: Person { height_m: height, mass_kg: mass },
+            person: Person {
+                height_m: height,
+                mass_kg: mass - carried,
+                carried_kg: Some(carried).filter(|carried| *carried > 0.0),
+            },
             walk: Walk {
                 style: plan.style_name(),
                 repeats,

@@ -28,28 +28,23 @@ pub(super) fn title(report: &Report) -> String {
     let (person, walk) = (&report.person, &report.walk);
     let plural = if walk.steps == 1 { "" } else { "s" };
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
+    let carries =
+        person.carried_kg.map_or_else(String::new, |load| format!(" with {} kg in hand", short(load)));
+    let who = format!("person of {height} m and {mass} kg{carries}");
     let first = if walk.changes { ", at first" } else { "" };
     let back = if walk.backward { " backward" } else { "" };
     if walk.style == "run" {
-        let (speed, what) = (short(walk.speed_m_s), format!("a person of {height} m and {mass} kg"));
+        let speed = short(walk.speed_m_s);
         return if walk.repeats {
-            format!("A stride of a run that repeats itself, of {what} at {speed} m/s")
+            format!("A stride of a run that repeats itself, of a {who} at {speed} m/s")
         } else {
-            format!(
-                "A person of {height} m and {mass} kg runs {} step{plural}{first} at {speed} m/s",
-                walk.steps
-            )
+            format!("A {who} runs {} step{plural}{first} at {speed} m/s", walk.steps)
         };
     }
     if walk.repeats {
-        return format!(
-            "A stride{back} that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
-        );
+        return format!("A stride{back} that repeats itself, of a {who} at {pace} steps/min");
     }
-    format!(
-        "A person of {height} m and {mass} kg walks {} step{plural}{back}{first} at {pace} steps/min",
-        walk.steps
-    )
+    format!("A {who} walks {} step{plural}{back}{first} at {pace} steps/min", walk.steps)
 }
 
 /// The rows for the page.

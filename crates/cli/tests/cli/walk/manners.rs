@@ -22,6 +22,23 @@ fn json_is_the_report() {
 }
 
 #[test]
+fn what_hands_carry_is_not_the_persons_mass() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let loaded = ["walk", "--mass", "73", "--load", "right=6", "--load", "left=1.5", "--steps", "3"];
+    let printed = succeeded(&solaris(folder.path(), &loaded));
+    assert!(
+        printed.starts_with("A person of 1.75 m and 73 kg with 7.5 kg in hand walks 3 steps"),
+        "{printed}"
+    );
+    let json = succeeded(&solaris(folder.path(), &[&loaded[..], &["--json"]].concat()));
+    let value: Value = serde_json::from_str(&json).expect("JSON");
+    let number = |pointer: &str| value.pointer(pointer).and_then(Value::as_f64).expect(pointer);
+    assert!(
+        (number("/person/mass_kg") - 73.0).abs() < 1e-9 && (number("/person/carried_kg") - 7.5).abs() < 1e-9
+    );
+}
+
+#[test]
 fn no_number_of_the_report_is_missing() {
     // JSON has no infinity and no NaN: they would stand there as null.
     let folder = tempfile::tempdir().expect("a folder");

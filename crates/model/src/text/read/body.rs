@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 impl FigureReader<'_> {
-    /// `Human(height: 1.75, mass: 73.0, age: 9, segments: {"left_thigh": 0.45}, joints: Limp, root: Yzx,
+    /// `Human(height: 1.75, mass: 73.0, age: 9, segments: {"left_thigh": 0.45}, load: {"right": 5.0}, joints: Limp, root: Yzx,
     /// limits: {"left_elbow.rx": (deg(-150), deg(0))})`
     pub(super) fn body(
         &mut self,
@@ -21,13 +21,14 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let known = ["height", "mass", "age", "segments", "joints", "root", "limits"];
+        let known = ["height", "mass", "age", "segments", "load", "joints", "root", "limits"];
         let fields = self.fields(node, &["Human"], &known)?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
         let height = height_node.and_then(|node| self.number(node, "the height"));
         let mass = mass_node.and_then(|node| self.number(node, "the mass"));
-        let segments = fields.get("segments").map(|node| self.segments(node)).unwrap_or_default();
+        let segments = fields.get("segments").map(|node| self.amounts(node, &SEGMENTS)).unwrap_or_default();
+        let loads = fields.get("load").map(|node| self.amounts(node, &LOAD)).unwrap_or_default();
         let age_node = fields.get("age");
         let age = age_node.map(|node| self.number(node, "the age"));
         let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
@@ -60,14 +61,25 @@ impl FigureReader<'_> {
         // Each length alone, so that all that are wrong are found.
         let mut good = true;
         for segment in &segments {
-            let alone = Human::new(height, mass).segment_length(&segment.name, segment.length);
+            let alone = Human::new(height, mass).segment_length(&segment.name, segment.amount);
             if let Err(error) = alone.build() {
                 let wrong_name = matches!(error, HumanError::Segment { .. });
-                let place = if wrong_name { &segment.name_at } else { &segment.length_at };
+                let place = if wrong_name { &segment.name_at } else { &segment.amount_at };
                 self.fault(place.clone(), error.to_string());
                 good = false;
             }
-            human = human.segment_length(&segment.name, segment.length);
+            human = human.segment_length(&segment.name, segment.amount);
+        }
+        for load in loads {
+            let with = human.clone().load(&load.name, load.amount);
+            match with.build() {
+                Err(error @ HumanError::Load { .. }) => {
+                    let is_hand = ["left", "right"].contains(&load.name.as_str());
+                    self.fault(if is_hand { load.amount_at } else { load.name_at }, error.to_string());
+                    good = false;
+                }
+                _ => human = with,
+            }
         }
         for (dof, [lower, upper], at) in limits {
             let with = human.clone().limits(dof, lower, upper);
@@ -130,28 +142,57 @@ impl FigureReader<'_> {
         found
     }
 
-    fn segments(&mut self, node: &Node<'_>) -> Vec<Segment> {
-        let entries = self.entries(node, "segments", "{\"thigh\": 0.45}").unwrap_or_default();
+    /// Amounts by the names of what has them.
+    fn amounts(&mut self, node: &Node<'_>, of: &Amounts) -> Vec<Amount> {
+        let entries = self.entries(node, of.field, of.example).unwrap_or_default();
         let mut found = Vec::new();
         let mut seen = HashSet::new();
         for (key, value) in entries {
-            let name = self.name(key, "the name of a segment");
-            let length = self.number(value, "the length of a segment");
-            let (Some(name), Some(length)) = (name, length) else { continue };
+            let name = self.name(key, of.name);
+            let amount = self.number(value, of.amount);
+            let (Some(name), Some(amount)) = (name, amount) else { continue };
             if !seen.insert(name) {
-                self.fault(key.span.clone(), format!("segment '{name}' is given twice; keep one of them"));
+                self.fault(
+                    key.span.clone(),
+                    format!("{} '{name}' is given twice; keep one of them", of.noun),
+                );
             }
-            let (name_at, length_at) = (key.span.clone(), value.span.clone());
-            found.push(Segment { name: name.to_owned(), length, name_at, length_at });
+            let (name_at, amount_at) = (key.span.clone(), value.span.clone());
+            found.push(Amount { name: name.to_owned(), amount, name_at, amount_at });
         }
         found
     }
 }
 
-/// A segment's own length, and where it stands.
-struct Segment {
+/// A segment's own length or a hand's load, and where it stands.
+struct Amount {
     name: String,
-    length: f64,
+    amount: f64,
     name_at: Range<usize>,
-    length_at: Range<usize>,
+    amount_at: Range<usize>,
 }
+
+/// What a map of amounts is about, for messages.
+struct Amounts {
+    field: &'static str,
+    example: &'static str,
+    noun: &'static str,
+    name: &'static str,
+    amount: &'static str,
+}
+
+const SEGMENTS: Amounts = Amounts {
+    field: "segments",
+    example: "{\"thigh\": 0.45}",
+    noun: "segment",
+    name: "the name of a segment",
+    amount: "the length of a segment",
+};
+
+const LOAD: Amounts = Amounts {
+    field: "load",
+    example: "{\"right\": 5.0}",
+    noun: "hand",
+    name: "left or right",
+    amount: "the load of a hand (kg)",
+};

@@ -73,6 +73,13 @@ fn a_body_may_have_an_age_and_limits() {
 }
 
 #[test]
+fn a_body_carries_a_load_in_each_hand() {
+    let text = "Figure(version: 1, body: Human(height: 1.75, mass: 73, load: {\"right\": 8, \"left\": 2.5}))";
+    let wanted = solaris_model::Human::new(1.75, 73.0).load("right", 8.0).load("left", 2.5);
+    assert_eq!(figure(text), wanted.build().expect("a porter"));
+}
+
+#[test]
 fn a_body_is_one_word() {
     let found = figure(
         "Figure(version: 1, name: \"ann\", body: Human(height: 1.65, mass: 58, segments: {\"left_thigh\": 0.45}))",
