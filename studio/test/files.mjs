@@ -12,10 +12,23 @@ test('a robot that is chosen stands there with its mass and its joints', async (
   await page.waitForSelector('#panel-files .about h2');
   assert.match(await text(page, '#panel-files .sum'), /^3\.2 kg, 3 links, 2 joints that move, 2 degrees of freedom/);
   const joints = await text(page, '#panel-files .joints');
-  assert.match(joints, /shoulder[\s\S]*moves upper_arm[\s\S]*−177\.6 to 57\.3°/);
+  assert.match(joints, /shoulder[\s\S]*moves upper_arm[\s\S]*−177\.6 to 57\.3°, held by −?0 N m/);
   assert.match(await text(page, '#panel-files .roles'), /arm\.urdf\s*the figure 'arm' \(URDF\)/);
   assert.equal(await text(page, '#title'), 'arm');
   assert.equal(await page.evaluate(() => studio.show.isLive()), true);
+});
+
+test('a robot that was dropped is posed and driven, and says what holds it', async (t) => {
+  const page = await open(t, { still: true });
+  if (!page) return;
+  await choose(page, 'figures/arm.urdf');
+  await page.click('button:text-is("Pose and drive it")');
+  await page.click('.joint-list [data-joint="shoulder"]');
+  const slider = page.locator('.dof[aria-label="shoulder"] .slider input[type=number]');
+  await slider.fill('-60');
+  await slider.press('Enter');
+  // sin 60° · 9.80665 m/s² · (2 kg · 0.15 m + 1.2 kg · 0.5 m).
+  await page.waitForFunction(() => /held by −?7\.64 N m/.test(document.querySelector('.dof[aria-label="shoulder"] .moment').textContent));
 });
 
 test('the files of a subject give the joint moments of the command line', async (t) => {

@@ -4,6 +4,7 @@ import './files.css';
 import type { App } from '../app.ts';
 import { row } from '../app.ts';
 import type { SceneDocument } from '../document.ts';
+import type { Pose } from '../engine/figures.ts';
 import type { OpenedFiles } from '../engine/files.ts';
 import type { Dof, PosedFigure, Row, ShownMotion } from '../engine/protocol.ts';
 import { KINDS, makeOverlay, type Kind } from '../overlay.ts';
@@ -14,6 +15,8 @@ import { view, type Data } from '../view.ts';
 // The usual filter of positions of people (Hz).
 const CUTOFF = 6;
 const DEGREE = Math.PI / 180;
+// So many findings are shown at once.
+const MANY = 3;
 // The most bytes of a file.
 const MOST = 2 ** 30;
 const DRAWN: Record<Kind, string> = { axes: 'axes of joints', masses: 'centres of mass', inertia: 'inertia', soles: 'soles', markers: 'markers' };
@@ -105,23 +108,41 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
     ];
   }
 
-  function summary(figure: PosedFigure): Node[] {
+  // `held`: what holds the pose, of each degree of freedom (N m, N).
+  function summary(figure: PosedFigure, held: number[]): Node[] {
     const limit = ({ lower, upper, turns }: Dof): string => {
       if (lower === null || upper === null) return '';
       const [scale, unit] = turns ? [1 / DEGREE, '°'] : [1, ' m'];
       return ` ${number(lower * scale, 1)} to ${number(upper * scale, 1)}${unit}`;
     };
+    const holds = ({ index, turns }: Dof): string => `, held by ${number(held[index], 2)} ${turns ? 'N m' : 'N'}`;
+    const file = opened?.files.find(({ what }) => what.startsWith("the figure '"));
     const dofs = figure.joints.reduce((sum, joint) => sum + joint.dofs.length, 0);
     const joints = figure.joints.filter((joint) => joint.dofs.length > 0);
     return [
       el('h2', {}, figure.name),
       el('p', { class: 'sum' }, `${number(figure.mass, 3)} kg, ${figure.links.length} links, ${joints.length} joints that move, ${dofs} degrees of freedom`),
+      ...(file ? [button('Pose and drive it', () => drive(file.name, figure), { title: 'As a scene, under Joints' })] : []),
       fold('Joints', joints.length <= 12, el('ul', { class: 'joints' }, ...joints.map((joint) =>
         el('li', {}, el('strong', {}, joint.name), el('span', {}, `moves ${joint.link}`), ...joint.dofs.map((dof) =>
-          el('span', { class: 'dof' }, `${dof.name}${limit(dof)}`)))))),
+          el('span', { class: 'dof' }, `${dof.name}${limit(dof)}${holds(dof)}`)))))),
       fold('Links', false, el('ul', { class: 'joints' }, ...figure.links.map(({ name, mass }) => el('li', {}, el('strong', {}, name), el('span', {}, `${number(mass, 3)} kg`))))),
       ...lines(figure.findings),
     ];
+  }
+
+  // A scene of the figure, which stands still at first.
+  function drive(file: string, { name }: PosedFigure): void {
+    document_.set(`Scene(
+    version: 1,
+    figures: {${JSON.stringify(name)}: File(${JSON.stringify(file)})},
+    duration: 3.0,
+    drives: {
+        "*": Frozen,
+    },
+)
+`);
+    app.tools.open('joints');
   }
 
   async function open(given: Given[]): Promise<void> {
@@ -166,7 +187,8 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
     if (next.profile !== null) said.append(el('p', { class: 'remark' }, 'A curve of one degree of freedom: a scene can name it by its file.'));
     if (next.figure === null) return;
     posed = await app.engine.call<PosedFigure>('openedPosed');
-    about.replaceChildren(...(next.isCloud ? [] : summary(posed)));
+    const { moments: held } = await app.engine.call<Pose>('poseTo', [posed.q]);
+    about.replaceChildren(...(next.isCloud ? [] : summary(posed, held)));
     if (next.motion === null) {
       mine = true;
       ours = true;
@@ -235,7 +257,12 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
   };
 }
 
-const lines = (findings: string[]): Node[] => (findings.length > 0 ? [el('ul', { class: 'findings' }, ...findings.map((finding) => el('li', {}, finding)))] : []);
+// Many are folded away, so that what is below is seen.
+const lines = (findings: string[]): Node[] => {
+  if (findings.length === 0) return [];
+  const list = el('ul', { class: 'findings' }, ...findings.map((finding) => el('li', {}, finding)));
+  return [findings.length > MANY ? fold(`${findings.length} findings`, false, list) : list];
+};
 const remark = (note: string): Row => ({ label: '', value: '', unit: '', note });
 
 // The greatest moment of each joint, and when.
