@@ -20,6 +20,8 @@ const PULL = 3;
 export interface LiveHooks {
   // The link that is chosen.
   link(): number | null;
+  // Puts its picture in the place of another.
+  showing(act: () => void): void;
   frame(frame: AliveFrame): void;
   fault(error: unknown): void;
   // It began to move, or stands.
@@ -227,7 +229,7 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
       if (mine !== run) return;
       [on, playing, owed, at, frames, speed, grip] = [true, true, 0, 0, [], 1, null];
       element.hidden = false;
-      app.show.live(view.readData(data), tick, { still: true });
+      hooks.showing(() => app.show.live(view.readData(data), tick, { still: true }));
       state();
       keep(await app.engine.call<AliveFrame>('aliveBack', [0]));
     },

@@ -69,6 +69,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   const remarks = el('div', { class: 'remark', 'aria-live': 'polite' });
   const live = makeLive(app, {
     link: () => highlight.link,
+    showing: (act) => showing('live', act),
     frame(frame) {
       at.q = frame.q;
       at.moments = frame.forces;
@@ -119,6 +120,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     live.stop();
     at.shows = null;
   });
+  let starting = false;
   const showing = (what: typeof at.shows, act: () => void): void => {
     ours = true;
     act();
@@ -164,7 +166,10 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   async function ensurePosed(): Promise<void> {
     const key = figureKey();
     if (posed !== key) {
+      const before = at.shows;
       const figure = await app.engine.call<PosedFigure>('poseScene', [text.text]);
+      // What began to move meanwhile is not stopped.
+      if (live.on || starting || at.shows !== before) return;
       [posed, data, at.links, mass] = [key, figure.data, figure.links, figure.mass];
       at.shows = null;
       seen = false;
@@ -178,7 +183,7 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   }
 
   const posing = latest(async () => {
-    if (live.on) return;
+    if (live.on || starting) return;
     try {
       await ensurePosed();
       const now = await app.engine.call<Pose>('poseTo', [at.q]);
@@ -376,14 +381,13 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
   async function goLive(): Promise<void> {
     await settled();
     forget();
+    starting = true;
     try {
-      ours = true;
       await live.start(text.text, mass);
-      at.shows = 'live';
     } catch (error) {
       say(error);
     } finally {
-      ours = false;
+      starting = false;
     }
     syncJoint();
   }
