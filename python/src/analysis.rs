@@ -81,7 +81,7 @@ pub(crate) struct Ground {
 /// >>> sorted(ground.contacts)
 /// ['left_foot', 'right_foot']
 #[pyfunction]
-#[pyo3(signature = (motion, *, split="transition", soles=None, filter=None, order=2))]
+#[pyo3(signature = (motion, *, split="pivot", soles=None, filter=None, order=2))]
 pub(crate) fn ground_forces(
     py: Python<'_>,
     motion: &Motion,

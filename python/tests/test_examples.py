@@ -42,7 +42,16 @@ def test_everything_public_is_documented():
         assert text, f"{name} has no docstring"
 
 
-@pytest.mark.parametrize("page, least", [("docs/python.md", 10), ("README.md", 1), ("python/README.md", 1)])
+@pytest.mark.parametrize(
+    "page, least",
+    [
+        ("docs/python.md", 10),
+        ("docs/learn/biomechanics.md", 1),
+        ("docs/learn/robotics.md", 1),
+        ("README.md", 1),
+        ("python/README.md", 1),
+    ],
+)
 def test_pages_run(page, least, tmp_path, monkeypatch):
     text = (REPOSITORY / page).read_text()
     blocks = re.findall(r"```python\n(.*?)```", text, re.S)

@@ -34,9 +34,12 @@ pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
     // The rest pose may be one of those that are left out.
     let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
     let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
-    let name = args.name.clone().unwrap_or_else(|| stem(&args.motion));
-    outputs
-        .write(|(), mut writer| character.with_clip(&name, &moved, &mut writer).map_err(CliError::other))?;
+    // As asked, until it is written: there may be one of that name.
+    let mut name = args.name.clone().unwrap_or_else(|| stem(&args.motion));
+    outputs.write(|(), mut writer| {
+        name = character.with_clip(&name, &moved, &mut writer).map_err(CliError::other)?;
+        Ok(())
+    })?;
     print(|out| {
         told(out, &name, onto, [&of_clip, &roles], &moved)?;
         list(out, &findings)?;

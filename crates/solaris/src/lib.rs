@@ -68,3 +68,11 @@ struct Drives;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/ground.md")]
 struct Ground;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/learn/game.md")]
+struct LearnGame;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/learn/robotics.md")]
+struct LearnRobotics;

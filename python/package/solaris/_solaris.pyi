@@ -467,7 +467,7 @@ def differentiate(motion: Motion, filter: Optional[float] = None, order: int = 2
 def ground_forces(
     motion: Motion,
     *,
-    split: Literal["transition", "pivot", "effort"] = "transition",
+    split: Literal["transition", "pivot", "effort"] = "pivot",
     soles: Optional[_Path] = None,
     filter: Optional[float] = None,
     order: int = 2,

@@ -18,7 +18,7 @@ const EXAMPLES: &str = "Examples:
   solaris gait map --x heel-strike-angle --y tilt --step-frequency 110 -o map.svg
       where postures exist, and which inequality forbids them elsewhere
   solaris gait set -o ann.glb -o ann.json
-      sixteen clips for a character of a game";
+      clips for a character of a game: standing, starts, walks, turns, stops";
 
 const TABLE_EXAMPLES: &str = "Examples:
   solaris gait table 7.8
@@ -46,7 +46,7 @@ const PEOPLE_EXAMPLES: &str = "Examples:
 
 const SET_EXAMPLES: &str = "Examples:
   solaris gait set -o ann.glb -o ann.json
-      one body with sixteen clips, and how they fit together
+      one body with all clips, and how they fit together
   solaris gait set --height 1.65 --mass 58 --manner happy:0.5 --rig mixamo --rate 24 -o clips/
       a .bvh for each clip, on Mixamo's bones, and clips/set.json
   solaris gait set --speeds 0.8,1.2,1.6 --loop in-place -o loops.glb

@@ -1,10 +1,13 @@
 //! The program, as people run it.
 
 mod alone;
+mod book;
 mod disk_full;
 mod drives;
 mod hostile;
 mod inverse;
+#[cfg(unix)]
+mod learn;
 mod limits;
 mod pictures;
 mod studio;

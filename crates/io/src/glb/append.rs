@@ -13,7 +13,7 @@ use std::io::Write;
 use std::ops::Range;
 
 /// Writes a file, which was read before, with an animation of these nodes at these times (s): turns (x, y, z, w), of one key where they
-/// stand still, and the places of one.
+/// stand still, and the places of one. Gives the name that it has.
 pub(super) fn append(
     bytes: &[u8],
     name: &str,
@@ -21,7 +21,7 @@ pub(super) fn append(
     turns: &[(usize, Vec<[f32; 4]>)],
     (root, way): (usize, &[[f32; 3]]),
     out: &mut impl Write,
-) -> Result<(), IoError> {
+) -> Result<String, IoError> {
     let Parts { json, binary } = split(bytes)?;
     let text = std::str::from_utf8(json).map_err(|_| GlbError::NoJson)?;
     let edit = Edit::of(text)?;
@@ -63,7 +63,8 @@ pub(super) fn append(
         _ => edit.grown("buffers", &[json!({ "byteLength": length })])?,
     });
     let binary = if is_inside { &[][..] } else { &pack.bytes };
-    join(edit.with(changes).into_bytes(), binary, out)
+    join(edit.with(changes).into_bytes(), binary, out)?;
+    Ok(name)
 }
 
 /// A JSON text that is changed in places.

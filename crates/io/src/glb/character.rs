@@ -104,12 +104,12 @@ impl<'a> Character<'a> {
     }
 
     /// Writes the file with one more animation, called `clip` or where there is one of that name `clip 2` and so on: bytes are added at its end, and to its JSON
-    /// accessors, views and the animation; all else stays as it is, byte by byte.
+    /// accessors, views and the animation; all else stays as it is, byte by byte. Gives the name that it has.
     ///
     /// # Errors
     ///
     /// A node that is to be moved and says its place by a matrix; a file of more than 4 GB; and the writer's own errors.
-    pub fn with_clip(&self, clip: &str, moved: &Moved, out: &mut impl Write) -> Result<(), IoError> {
+    pub fn with_clip(&self, clip: &str, moved: &Moved, out: &mut impl Write) -> Result<String, IoError> {
         let start = moved.time.first().copied().unwrap_or(0.0);
         let times: Vec<f64> = moved.time.iter().map(|time| time - start).collect();
         let mut turns: Vec<(usize, Vec<[f32; 4]>)> = Vec::new();

@@ -33,8 +33,8 @@ fn onto(bytes: &[u8], take: &Take) -> (Vec<u8>, Moved, Clip) {
     let roles = Roles::find(character.skeleton(), &BoneMap::default()).expect("roles");
     let moved = retarget(take, character.skeleton(), &roles).expect("moved");
     let mut out = Vec::new();
-    character.with_clip("walk", &moved, &mut out).expect("written");
-    let clip = read(&out, &named("walk")).expect("read again");
+    let name = character.with_clip("walk", &moved, &mut out).expect("written");
+    let clip = read(&out, &named(&name)).expect("read again");
     (out, moved, clip)
 }
 
