@@ -245,4 +245,12 @@ mod tests {
         check(&found, &[(0.0, Turn::Reversal)]);
         check(&pieces(|x| x - 1e-20, noise, [], (0.0, 1.0)), &[]);
     }
+
+    #[test]
+    fn without_a_sign_change_the_smaller_end_is_taken() {
+        let valley = |x: f64| (x - 0.3) * (x - 0.3) + 0.01;
+        assert!(bracketed(valley, 0.0, 1.0).abs() < 1e-300);
+        assert!((bracketed(valley, -1.0, 0.5) - 0.5).abs() < 1e-300);
+        assert!((bracketed(|x| x - 0.25, 0.0, 1.0) - 0.25).abs() < 1e-15);
+    }
 }

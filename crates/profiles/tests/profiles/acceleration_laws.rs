@@ -170,3 +170,19 @@ proptest! {
         }
     }
 }
+
+/// x = t − t²/2 turns round at 1 s, half a metre away, in the middle of its span.
+#[test]
+fn what_turns_round_in_the_middle_is_farthest_there() {
+    let curve = Constant::new(2.0, (0.0, 1.0), -1.0).expect("valid");
+    assert_eq!(curve.critical(Quantity::Position), [1.0]);
+    assert_eq!(curve.range(Quantity::Position, 0.0, 2.0), (0.0, 0.5));
+}
+
+/// Twice the amplitude over the duration bounds the velocity: 2.4e308 is no number.
+#[test]
+fn an_amplitude_whose_velocity_overflows_is_refused() {
+    for kind in 0..KINDS {
+        assert!(matches!(new(kind, 1.0, (0.0, 0.0), 1.2e308), Err(ProfileError::Overflow { .. })), "{kind}");
+    }
+}

@@ -137,3 +137,14 @@ fn they_are_written_and_read() {
         assert!(error.contains(said), "{error}");
     }
 }
+
+/// x = 0.5·t − t²/2 turns round half a second after each beginning.
+#[test]
+fn what_turns_within_a_curve_turns_in_each_of_its_repeats() {
+    let curve = solaris_profiles::acceleration::Constant::new(1.0, (0.0, 0.5), -1.0).expect("a curve");
+    let turns = Repeat::new(curve, 3).expect("repeats").stationary();
+    let reversals = turns.points.iter().filter(|point| (point.time % 1.0 - 0.5).abs() < 1e-14);
+    let times: Vec<f64> = reversals.map(|point| point.time).collect();
+    assert!(times.iter().zip([0.5, 1.5, 2.5]).all(|(a, b)| (a - b).abs() < 1e-14), "{times:?}");
+    assert_eq!(times.len(), 3);
+}

@@ -223,6 +223,8 @@ fn what_cannot_be_is_refused() {
     let motion = Trapezoidal::new(0.0, 3.0, 1.0, 2.0).expect("valid");
     let refused = motion.lasting(3.0).expect_err("too short");
     assert_eq!(refused.to_string(), "duration is 3; it must be at least 3.5");
+    // Jerk goes with the cube of the time.
+    assert!(matches!(motion.lasting(1e120), Err(ProfileError::Overflow { .. })));
     assert!(motion.lasting(f64::NAN).is_err() && motion.lasting(-1.0).is_err());
 }
 
@@ -261,4 +263,17 @@ fn unlimited_accelerations_do_no_harm() {
     );
     let slow = SCurve::new(0.0, 0.01, 1e90, 1e100, 1e-60).expect("a motion");
     assert!((slow.at(0.5 * slow.duration()).position - 0.005).abs() < 1e-16);
+}
+
+#[test]
+fn what_is_made_to_last_longer_lasts_so_long_in_all_its_phases() {
+    let motion = Trapezoidal::new(0.0, 3.0, 1.0, 2.0).expect("valid");
+    let slow = motion.lasting(7.0).expect("longer");
+    assert_eq!((slow.duration(), slow.phases()), (7.0, motion.phases().map(|phase| 2.0 * phase)));
+    assert_eq!(
+        Trapezoidal::new(1.0, 1.0, 1.0, 2.0).expect("no way").lasting(2.0).expect("any").duration(),
+        2.0
+    );
+    let sample = Sample::from_array([1.0, 2.0, 3.0, 4.0]).straight_on(0.5);
+    assert_eq!(sample, Sample::from_array([2.0, 2.0, 0.0, 0.0]));
 }
