@@ -6,6 +6,7 @@ mod disk_full;
 mod drives;
 mod hostile;
 mod inverse;
+mod killed;
 #[cfg(unix)]
 mod learn;
 mod limits;
