@@ -26,7 +26,9 @@ fn killed(moments: u32) {
     let old = b"what was there before";
     let (mut kept, mut there) = (0, 0);
     for moment in 0..moments {
-        NAMES.iter().for_each(|name| fs::write(place(name), old).expect("written"));
+        for name in NAMES {
+            fs::write(place(name), old).expect("written");
+        }
         let mut run = walk(folder.path()).spawn().expect("it runs");
         // Most of the moments are late, where files are written.
         let share = f64::from(moment + 1) / f64::from(moments);

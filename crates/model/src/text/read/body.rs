@@ -143,7 +143,7 @@ impl FigureReader<'_> {
     }
 
     /// Amounts by the names of what has them.
-    fn amounts(&mut self, node: &Node<'_>, of: &Amounts) -> Vec<Amount> {
+    fn amounts(&mut self, node: &Node<'_>, of: &Amounts) -> Vec<Named> {
         let entries = self.entries(node, of.field, of.example).unwrap_or_default();
         let mut found = Vec::new();
         let mut seen = HashSet::new();
@@ -158,14 +158,14 @@ impl FigureReader<'_> {
                 );
             }
             let (name_at, amount_at) = (key.span.clone(), value.span.clone());
-            found.push(Amount { name: name.to_owned(), amount, name_at, amount_at });
+            found.push(Named { name: name.to_owned(), amount, name_at, amount_at });
         }
         found
     }
 }
 
 /// A segment's own length or a hand's load, and where it stands.
-struct Amount {
+struct Named {
     name: String,
     amount: f64,
     name_at: Range<usize>,
