@@ -9,6 +9,8 @@ use solaris_model::{Finding, FindingKind, MarkerTrial, Vector3};
 const WALKS: f64 = 0.5;
 /// Part of names of markers at the head and the shoulders, and of others at the feet; in small letters.
 const HIGH: [&str; 11] = ["head", "hd", "c7", "clav", "ster", "strn", "acr", "sho", "sjn", "neck", "nose"];
+/// Of the pelvis, for sets of markers of the legs alone.
+const PELVIS: [&str; 3] = ["asi", "psi", "pelv"];
 const LOW: [&str; 12] =
     ["heel", "hee", "cal", "toe", "mt1", "mt2", "mt5", "mmal", "lmal", "ank", "foot", "midfoot"];
 const HEEL: [&str; 4] = ["heel", "hee", "cal", "hind"];
@@ -16,7 +18,7 @@ const TOE: [&str; 7] = ["toe", "mt1", "mt2", "mt5", "mtp", "hallux", "met"];
 
 /// Which way is up and which way the subject goes, with a finding each that says by what.
 ///
-/// Up is where head and shoulders are from the feet, by their markers' names; without such names the way across the loaded plates on which
+/// Up is where head and shoulders are from the feet, by their markers' names, or where the pelvis is; without such names the way across the loaded plates on which
 /// the markers are; without plates the axis along which the markers stay on one side of the floor at zero and reach farthest. Forward is
 /// the axis along which the middle of the markers goes; of who stays within half a metre the one from heel to toe; without such
 /// names the first horizontal one. Ways are along the laboratory's axes: who walks aslant goes along the nearest one.
@@ -35,9 +37,10 @@ pub fn find_axes(recording: &Recording) -> (Axes, Vec<Finding>) {
 
 fn up(recording: &Recording) -> (Way, String, FindingKind) {
     let trial = &recording.markers;
-    if let Some(way) = between(trial, &LOW, &HIGH) {
-        let by = "as head and shoulders are above the feet along it".to_owned();
-        return (Way::nearest(&way), by, FindingKind::Note);
+    for (high, who) in [(&HIGH[..], "head and shoulders are"), (&PELVIS[..], "the pelvis is")] {
+        if let Some(way) = between(trial, &LOW, high) {
+            return (Way::nearest(&way), format!("as {who} above the feet along it"), FindingKind::Note);
+        }
     }
     let force: Vector3<f64> =
         recording.plates.iter().map(|plate| plate.mean_force(&LoadOptions::default()).0).sum();

@@ -211,3 +211,14 @@ fn names_of_markers_are_read_back_or_not_written() {
         }
     }
 }
+
+/// Of markers of the legs alone, which are on one side of a floor at zero along more than one axis: up is where the pelvis is.
+#[test]
+fn legs_alone_stand_below_their_pelvis() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/markers/swing.trc");
+    let text = std::fs::read_to_string(path).expect("a recording");
+    let recording = read(&text, &ReadOptions::default()).expect("read");
+    let (axes, findings) = solaris_io::markers::find_axes(&recording);
+    assert!(axes.to_string().starts_with("y,"), "{axes}");
+    assert!(findings[0].to_string().contains("as the pelvis is above the feet along it"), "{}", findings[0]);
+}
