@@ -93,7 +93,7 @@ pub(crate) struct WalkFiles {
 /// Who walks.
 #[derive(Debug, Args)]
 pub(crate) struct WhoArgs {
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass"], help = wrap(
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass", "age", "loads"], help = wrap(
         "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]"
     ))]
     pub(crate) figure: Option<PathBuf>,

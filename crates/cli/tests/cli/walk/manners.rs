@@ -39,6 +39,16 @@ fn what_hands_carry_is_not_the_persons_mass() {
 }
 
 #[test]
+fn whose_figure_is_given_has_no_load_and_no_age_beside_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for option in [["--load", "left=3"], ["--age", "9"]] {
+        let output = solaris(folder.path(), &[&["walk", "--figure", "ann.ron"][..], &option].concat());
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains("cannot be used with"), "{said}");
+    }
+}
+
+#[test]
 fn no_number_of_the_report_is_missing() {
     // JSON has no infinity and no NaN: they would stand there as null.
     let folder = tempfile::tempdir().expect("a folder");
