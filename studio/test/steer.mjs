@@ -133,6 +133,34 @@ test('the stick of a gamepad drives it, and stops with the stick', async (t) => 
   await stands(page);
 });
 
+test('a drag with Shift pulls the body along, an arm gives way, and buttons push without a mouse', async (t) => {
+  const page = await steer(t);
+  if (!page) return;
+  const { x, y, width, height } = await page.locator('#picture canvas').boundingBox();
+  const label = page.locator('.pull-label');
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x + 0.5 * width, y + 0.38 * height);
+  await page.mouse.down();
+  await page.mouse.move(x + 0.75 * width, y + 0.36 * height, { steps: 8 });
+  await page.waitForFunction(() => [...document.querySelectorAll('.pull-label')].some((one) => parseFloat(one.textContent) > 30));
+  assert.match(await label.innerText(), /^\d+ N$/);
+  await goes(page, 0.1);
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  assert.equal(await label.count(), 0, 'the arrow goes with the hand');
+  await stands(page);
+  const before = await place(page);
+  assert.ok(apart(before, [0, 0]) > 0.05, 'it came along');
+  assert.equal(await heading(page), 0, 'and did not turn');
+  await page.getByRole('button', { name: 'Push from behind' }).focus();
+  await page.keyboard.press('Enter');
+  await label.waitFor();
+  await goes(page, 0.1);
+  await stands(page);
+  assert.ok((await place(page))[1] > before[1] + 0.1, 'pushed forward');
+  assert.equal(await page.locator('.fault:visible').count(), 0);
+});
+
 test('limbs hang loose, another height begins anew, and another panel takes the keys back', async (t) => {
   const page = await steer(t);
   if (!page) return;

@@ -9,6 +9,7 @@ mod free;
 mod loose;
 mod paces;
 mod print;
+mod push;
 mod step;
 mod tried;
 mod walker;

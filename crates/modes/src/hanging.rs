@@ -8,6 +8,7 @@ use crate::range::{check_finite, check_not_negative, check_positive};
 use loose::Loose;
 use nalgebra::Vector3;
 use pull::Pull;
+use solaris_dynamics::Wrench;
 use solaris_model::{Figure, nearest};
 use std::ops::Range;
 use std::sync::Arc;
@@ -116,7 +117,7 @@ impl Hanging {
         }
         for dof in dofs {
             self.loose.retain(|loose| loose.dof != dof);
-            self.loose.extend(Loose::of(&self.figure, dof, q, v));
+            self.loose.extend(Loose::of(&self.figure, dof, q, v, FASTEST));
         }
         self.loose.sort_by_key(|loose| loose.dof);
         self.pull.make_room(self.loose.len());
@@ -131,6 +132,25 @@ impl Hanging {
     pub fn tighten(&mut self, name: &str) -> Result<(), SetupError> {
         let dofs = self.dofs(name)?;
         self.loose.retain(|loose| !dofs.contains(&loose.dof));
+        Ok(())
+    }
+
+    /// From now on a force and a moment about the world's origin push a link (N, N m, world axes), or nothing does; what is loose feels it.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::Range`] for a link that the figure has not, and numbers that are not finite: what pushed before goes on.
+    pub fn push(&mut self, pushed: Option<(usize, Wrench<f64>)>) -> Result<(), SetupError> {
+        if let Some((link, wrench)) = &pushed {
+            if *link >= self.figure.links().len() {
+                let what = "the link that is pushed".to_owned();
+                return Err(SetupError::Range { what, value: *link as f64, range: "a link of the figure" });
+            }
+            for x in wrench.force.iter().chain(&wrench.moment) {
+                check_finite(|| "a push on what hangs loose".to_owned(), *x)?;
+            }
+        }
+        self.pull.pushed = pushed;
         Ok(())
     }
 
@@ -197,7 +217,7 @@ impl Hanging {
         let Self { pull, loose, q, v, a, .. } = self;
         pull.solve((q, v, a), loose, self.damping, (h, 0.5));
         for (loose, change) in self.loose.iter_mut().zip(self.pull.changes()) {
-            loose.go_on(h, change.clamp(-h * HARDEST, h * HARDEST), FASTEST);
+            loose.go_on(h, *change, h * HARDEST, FASTEST);
         }
     }
 

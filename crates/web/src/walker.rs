@@ -58,6 +58,22 @@ impl Walker {
         if loose { self.walker.loosen(joint) } else { self.walker.tighten(joint) }.map_err(failed)
     }
 
+    /// Pushes a point of a link (three numbers each: m in its frame, N in the world) from the next `step` on, until it is pushed otherwise or let go.
+    pub fn push(&mut self, link: &str, at: &[f64], force: &[f64]) -> Result<(), JsError> {
+        let vector = |given: &[f64]| {
+            <[f64; 3]>::try_from(given)
+                .map(Into::into)
+                .map_err(|_| JsError::new("a push has three numbers for its place and three for its force"))
+        };
+        self.walker.push(link, vector(at)?, vector(force)?).map_err(failed)
+    }
+
+    /// Pushes no more.
+    #[wasm_bindgen(js_name = letGo)]
+    pub fn let_go(&mut self) {
+        self.walker.let_go();
+    }
+
     /// In what the command was bent to what can be walked: `fast`, `aside`, `sharp`, `sudden`, `balance`.
     pub fn bent(&self) -> Vec<String> {
         self.walker.bent().map(|bent| format!("{bent:?}").to_lowercase()).collect()

@@ -20,6 +20,17 @@ export interface SteeredFrame {
   velocity: ArrayLike<number>;
   stands: boolean;
   bent: string[];
+  // Of the pull (N), where there is one.
+  pull?: number[];
+}
+
+// A point of a link (m, in its frame) that is drawn to a place of the picture (m) by a spring (N/m), up to a force (N).
+export interface SteerPull {
+  link: number;
+  point: number[];
+  place: number[];
+  stiffness: number;
+  most: number;
 }
 
 let steered: { walker: Walker; drawn: Steered } | null = null;
@@ -52,10 +63,14 @@ export const steering = {
   },
   // Lets a joint hang loose, or takes it back.
   loosen: (_: Context, joint: string, loose: boolean): void => walking().walker.loosen(joint, loose),
-  steerFrame(_: Context, dt: number): SteeredFrame {
+  steerPoint: (_: Context, link: number, place: number[]): number[] => [...walking().drawn.inLink(walking().walker, link, place[0], place[1], place[2])],
+  steerFrame(_: Context, dt: number, held?: SteerPull): SteeredFrame {
     const { walker, drawn } = walking();
+    const pull = held && [...drawn.pull(walker, held.link, new Float64Array(held.point), new Float64Array(held.place), held.stiffness, held.most)];
+    if (!held) walker.letGo();
     walker.step(dt);
     return {
+      pull,
       poses: drawn.poses(walker),
       ground: drawn.ground(walker),
       place: walker.place,

@@ -1,10 +1,10 @@
 // A scene that goes on by itself: frame by frame, as fast as the machine can, one call at a time.
 
 import type { App } from '../app.ts';
+import { makeArrow } from '../arrow.ts';
 import type { AliveFrame } from '../engine/scenes.ts';
 import type { Picked } from '../pick.ts';
-import { into } from '../pick.ts';
-import { byId, button, el, number } from '../ui/dom.ts';
+import { button, el, number } from '../ui/dom.ts';
 import { three, view } from '../view.ts';
 
 // The longest step of a frame, and that of a single one (s).
@@ -91,38 +91,13 @@ export function makeLive(app: App, hooks: LiveHooks): Live {
   });
   for (const over of ['keyup', 'blur']) hold.addEventListener(over, () => grip && self.letGo());
 
-  // --- the pull: a line and its newtons
-  const label = el('div', { class: 'force pull-label', hidden: true });
-  byId('over').append(label);
-  const line = new three.Line(new three.BufferGeometry().setFromPoints([new three.Vector3(), new three.Vector3()]), new three.LineBasicMaterial({ depthTest: false, transparent: true }));
-  const tip = new three.Mesh(new three.SphereGeometry(0.018), new three.MeshBasicMaterial({ depthTest: false, transparent: true }));
-  const arrow = new three.Group().add(line, tip);
-  line.renderOrder = tip.renderOrder = 10;
-  line.frustumCulled = false;
-
+  // --- the pull
+  const arrow = makeArrow(app.show);
   function drawPull(force: number[] | null): void {
-    const picture = app.show.picture;
-    label.hidden = !force || !grip;
-    if (!picture) return;
-    if (!force || !grip) {
-      arrow.removeFromParent();
-      picture.touch();
-      return;
-    }
-    const to = into(app.show, grip.to);
+    if (!force || !grip) return arrow.draw(null);
     // From where the point is: where it should be, less what the spring is long.
-    const stiffness = PULL * mass;
-    const from = to.clone().sub(new three.Vector3(force[0], force[1], force[2]).divideScalar(stiffness));
-    line.geometry.setFromPoints([from, to]);
-    tip.position.copy(to);
-    const colour = view.readTheme().ink;
-    line.material.color.set(colour);
-    tip.material.color.set(colour);
-    picture.stage.scene.add(arrow);
-    const seen = to.clone().project(picture.stage.camera);
-    label.textContent = `${number(Math.hypot(...force), 0)} N`;
-    label.style.transform = `translate(${((1 + seen.x) / 2) * picture.stage.width + 10}px, ${((1 - seen.y) / 2) * picture.stage.height - 10}px)`;
-    picture.touch();
+    const { to } = grip;
+    arrow.draw({ to, from: to.map((x, axis) => x - force[axis] / (PULL * mass)), force });
   }
 
   const forces = (frame: AliveFrame): { force: number[]; cop: number[] }[] => {

@@ -8,7 +8,7 @@ import type { Dof, PosedFigure } from '../engine/protocol.ts';
 import type { RanScene } from '../engine/scenes.ts';
 import { makeChosen } from '../joints/chosen.ts';
 import type { Outcome } from '../joints/drives.ts';
-import { makeHands } from '../joints/hands.ts';
+import { makeHands } from '../hands.ts';
 import { makeHighlight } from '../joints/highlight.ts';
 import { choose } from '../joints/inputs.ts';
 import { makeLive } from '../joints/live.ts';

@@ -2,8 +2,10 @@
 
 import './steer.css';
 import type { App } from '../app.ts';
+import { makeArrow } from '../arrow.ts';
 import type { Who } from '../engine/protocol.ts';
-import type { Steer, SteeredFrame } from '../engine/steering.ts';
+import type { Steer, SteeredFrame, SteerPull } from '../engine/steering.ts';
+import { makeHands } from '../hands.ts';
 import { makeInput, type Way } from '../steer/input.ts';
 import { makeMarks, type Marks } from '../steer/marks.ts';
 import { button, byId, el, later, number } from '../ui/dom.ts';
@@ -27,6 +29,12 @@ const [STILL, SHORT, FAR] = [6, 500, 60];
 const MOST = 3.5;
 // How often numbers are written (ms), and after how long the hints on the picture go (ms).
 const [WRITTEN, HINTED] = [200, 15000];
+// Newtons a metre for each kilogram of a hand that drags, its greatest force (weights), and how long (s) and hard (weights) a button pushes.
+const [PULL, HARDEST] = [3, 0.25];
+const [SHOVE, SHOVES] = [0.5, 0.15];
+// Where a button pushes: as far as that from the body (m) that the spring has the force of the push.
+const SHOVED = 'thorax';
+const GRAVITY = 9.80665;
 // Steps of which the cadence is the mean, and after how long none it is over (s).
 const [STEPS, OVER] = [4, 1.5];
 
@@ -48,6 +56,9 @@ const WAYS: ([Way, string, string] | 'stop')[] = [
   ['turnLeft', '↶', 'Turn left'], ['forward', '↑', 'Forward'], ['turnRight', '↷', 'Turn right'],
   ['asideLeft', '←', 'Aside to the left'], 'stop', ['asideRight', '→', 'Aside to the right'],
   ['back', '↓', 'Backward'],
+];
+const PUSHES: [string, string, [number, number]][] = [
+  ['From the left', '→', [-1, 0]], ['From behind', '↑', [0, 1]], ['From the front', '↓', [0, -1]], ['From the right', '←', [1, 0]],
 ];
 const AGAINST: Record<Way, Way> = {
   forward: 'back', back: 'forward', turnLeft: 'turnRight', turnRight: 'turnLeft', asideLeft: 'asideRight', asideRight: 'asideLeft',
@@ -73,7 +84,8 @@ export function makeSteerPanel(app: App): void {
   const hints = el('ul', { class: 'steer-hints', hidden: true },
     ...[['↑', 'or', 'W', 'go'], ['←', '→', 'turn'], ['Q', 'E', 'aside'], ['Shift', 'faster']].map((parts) =>
       el('li', {}, ...parts.flatMap((part, i) => [i > 0 && ' ', i === parts.length - 1 || part === 'or' ? part : el('kbd', {}, part)]))),
-    el('li', {}, 'click the floor: walk there'));
+    el('li', {}, 'click the floor: walk there'),
+    el('li', {}, el('kbd', {}, 'Shift'), ' and drag the body: pull'));
   byId('over').append(hints);
   const hide = later(HINTED, () => (hints.hidden = true));
   const begun = (): void => {
@@ -124,6 +136,69 @@ export function makeSteerPanel(app: App): void {
     return point ? { kind: 'to', x: point[0], z: point[1], speed } : { kind: 'stop' };
   }
 
+  // --- pushes: a hand that drags a point of the body, or a button
+  const arrow = makeArrow(show);
+  let grip: { link: number; point: number[] | null; from: number[]; to: number[] } | null = null;
+  let shove = { left: 0, way: [0, 0] as [number, number] };
+  const armOf = (link: number): string[] => {
+    const side = /^(left|right)_(upper_arm|forearm|hand)$/.exec(data?.links[link]?.name ?? '')?.[1];
+    return side ? ['shoulder', 'elbow', 'wrist'].map((joint) => `${side}_${joint}`) : [];
+  };
+  // An arm that is held gives way.
+  let taken: string[] = [];
+  const hang = (joints: string[], isLoose: boolean): void =>
+    joints.filter((joint) => !wanted().has(joint)).forEach((joint) => app.engine.call('loosen', [joint, isLoose]).catch(app.fault));
+  const letGo = (): void => {
+    hang(taken, false);
+    [grip, taken] = [null, []];
+    arrow.draw(null);
+  };
+  makeHands(show, {
+    active: () => mine() && app.tools.current() === 'steer',
+    picked: () => {},
+    begin({ link, place }) {
+      letGo();
+      begun();
+      grip = { link, point: null, from: place, to: place };
+      taken = armOf(link);
+      hang(taken, true);
+    },
+    move(place) {
+      if (grip) grip.to = place;
+    },
+    end: letGo,
+  });
+  const spring = (): Omit<SteerPull, 'link' | 'point' | 'place'> => ({ stiffness: PULL * who.mass, most: HARDEST * who.mass * GRAVITY });
+  // What pushes in a frame of `dt`: the hand, or what is left of a button's push.
+  async function pushing(dt: number): Promise<SteerPull | undefined> {
+    const held = grip;
+    if (held) {
+      held.point ??= await app.engine.call<number[]>('steerPoint', [held.link, held.from]);
+      return held === grip ? { ...spring(), link: held.link, point: held.point, place: held.to } : undefined;
+    }
+    const link = data?.links.findIndex(({ name }) => name === SHOVED) ?? -1;
+    if (shove.left <= 0 || !state || link < 0) return undefined;
+    shove.left -= dt;
+    const { stiffness } = spring();
+    const [most, far] = [SHOVES * who.mass * GRAVITY, 10];
+    const [sin, cos] = [Math.sin(state.heading), Math.cos(state.heading)];
+    const [left, forward] = shove.way;
+    const at = [0, 1, 2].map((axis) => state!.poses[7 * link + axis]);
+    const place = [at[0] + far * (cos * left + sin * forward), at[1], at[2] + far * (cos * forward - sin * left)];
+    return { stiffness, most, link, point: [0, 0, 0], place };
+  }
+  function drawPull(frame: SteeredFrame): void {
+    const { pull, poses } = frame;
+    if (!pull) return arrow.draw(null);
+    const length = PULL * who.mass;
+    const link = data?.links.findIndex(({ name }) => name === SHOVED) ?? -1;
+    if (grip) arrow.draw({ to: grip.to, from: grip.to.map((x, axis) => x - pull[axis] / length), force: pull });
+    else if (link >= 0) {
+      const at = [0, 1, 2].map((axis) => poses[7 * link + axis]);
+      arrow.draw({ from: at, to: at.map((x, axis) => x + pull[axis] / length), force: pull });
+    }
+  }
+
   // --- on and on: the next frames are asked for before the last has come, so that neither the screen nor the engine waits for the other.
   let [owed, asked, since] = [0, 0, 0];
   const landings: number[] = [];
@@ -141,8 +216,8 @@ export function makeSteerPanel(app: App): void {
     const dt = owed;
     owed = 0;
     asked += 1;
-    app.engine
-      .call<SteeredFrame>('steerFrame', [dt])
+    pushing(dt)
+      .then((pull) => app.engine.call<SteeredFrame>('steerFrame', [dt, pull]))
       .finally(() => (asked -= 1))
       .then(
         (frame) => {
@@ -163,6 +238,7 @@ export function makeSteerPanel(app: App): void {
     const [x, y, z] = ground;
     const known = Math.hypot(x, y, z) < MOST * (data?.weight ?? Infinity);
     show.frame(poses, known ? [{ force: [...ground.subarray(0, 3)], cop: [...ground.subarray(3, 6)] }] : []);
+    drawPull(frame);
     if (marks?.step(poses, dt)) landings.push(time);
     if (landings.length > STEPS) landings.shift();
     if (point && stands && Math.hypot(point[0] - place[0], point[1] - place[1]) < 0.3) goTo(null);
@@ -211,6 +287,8 @@ export function makeSteerPanel(app: App): void {
     if (mine()) return;
     marks?.clear();
     [marks, data] = [null, null];
+    letGo();
+    shove.left = 0;
     hints.hidden = true;
   });
 
@@ -269,6 +347,12 @@ export function makeSteerPanel(app: App): void {
       bent,
       slider({ label: 'Walking speed', unit: 'm/s', low: 0.3, high: 2, step: 0.05, value: speed, change: (value) => (speed = value) }).element,
       el('fieldset', { class: 'steer-limbs' }, el('legend', {}, 'Let hang loose'), ...LIMBS.map(([label]) => limb(label))),
+      el('div', { class: 'steer-pushes row', role: 'group', 'aria-label': 'Push' },
+        el('span', {}, 'Push'),
+        ...PUSHES.map(([label, sign, way]) => button(sign, () => {
+          begun();
+          shove = { left: SHOVE, way };
+        }, { 'aria-label': `Push ${label.toLowerCase()}`, title: `${label}, with ${Math.round(SHOVES * 100)} % of the weight for half a second` }))),
       fold(
         'Who walks',
         false,
@@ -280,7 +364,7 @@ export function makeSteerPanel(app: App): void {
         false,
         el('dl', { class: 'steer-keys' }, ...[
           ['↑ ↓, W S', 'forward, backward'], ['← →, A D', 'turn, also on the spot'], ['Q E', 'aside, without turning'], ['Shift', 'faster'], ['Space', 'stop'],
-          ['Click, tap', 'on the floor: walk there and stop'], ['Gamepad', 'left stick: go and turn; right stick: aside'],
+          ['Click, tap', 'on the floor: walk there and stop'], ['Shift and drag', 'at the body: pull it; an arm that is pulled hangs loose meanwhile'], ['Gamepad', 'left stick: go and turn; right stick: aside'],
         ].flatMap(([keys, does]) => [el('dt', {}, keys), el('dd', {}, does)])),
       ),
       button('Back to the start', () => { stop(); void start(); }),

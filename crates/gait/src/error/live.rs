@@ -18,6 +18,10 @@ pub enum LiveError {
     NotFree { dof: String },
     #[error("there is no joint '{joint}' that can be loosened; all but those of the root and the legs can")]
     NotLoose { joint: String },
+    #[error("there is no link '{link}' to push{}", nearest.as_ref().map_or_else(String::new, |name| format!("; did you mean '{name}'?")))]
+    NoLink { link: String, nearest: Option<String> },
+    #[error("a push of {force} N: it must be at most the weight, {most:.0} N")]
+    Push { force: f64, most: f64 },
     #[error("what hangs loose from the walk: {why}")]
     Loose { why: String },
     #[error("{given} numbers for {wanted} coordinates")]

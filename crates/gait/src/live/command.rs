@@ -34,6 +34,8 @@ enum Face {
 pub struct Command {
     go: Go,
     face: Face,
+    /// What a push adds to the velocity: x and z of the world (m/s).
+    drift: [f64; 2],
 }
 
 impl Default for Command {
@@ -45,26 +47,26 @@ impl Default for Command {
 impl Command {
     /// To come to a stand, or to stay.
     pub fn stop() -> Self {
-        Self { go: Go::Stop, face: Face::Way }
+        Self::of(Go::Stop)
     }
 
     /// To walk with a velocity in the world: x to the left, z forward (m/s). The walker turns to where it goes unless it is told to face
     /// elsewhere.
     pub fn velocity(x: f64, z: f64) -> Self {
-        Self { go: Go::World([x, z]), face: Face::Way }
+        Self::of(Go::World([x, z]))
     }
 
     /// To walk with a velocity to the left and forward of the way the walker faces (m/s), which it keeps unless it is told to face
     /// elsewhere.
     #[doc(alias = "strafe")]
     pub fn own_velocity(left: f64, forward: f64) -> Self {
-        Self { go: Go::Own([left, forward]), face: Face::Way }
+        Self::of(Go::Own([left, forward]))
     }
 
     /// To walk to a point of the world (x and z, m) with this speed (m/s), and to stop with the feet on either side of it.
     #[doc(alias = "go_to")]
     pub fn to_point(x: f64, z: f64, speed: f64) -> Self {
-        Self { go: Go::To([x, z], speed), face: Face::Way }
+        Self::of(Go::To([x, z], speed))
     }
 
     /// To face a heading: an angle to the left of z (rad), any number of turns.
@@ -78,6 +80,15 @@ impl Command {
     #[must_use]
     pub fn facing_point(self, x: f64, z: f64) -> Self {
         Self { face: Face::Point([x, z]), ..self }
+    }
+
+    fn of(go: Go) -> Self {
+        Self { go, face: Face::Way, drift: [0.0; 2] }
+    }
+
+    /// The same of somebody whom a push takes along.
+    pub(super) fn drifting(self, drift: [f64; 2]) -> Self {
+        Self { drift, ..self }
     }
 
     /// Refuses numbers that are none.
@@ -130,7 +141,7 @@ impl Command {
                 (if way[0].hypot(way[1]) < NEAR { heading } else { way[0].atan2(way[1]) }, false)
             }
         };
-        Wish { velocity, speed, left, facing, by_way }
+        Wish { velocity, speed, left, facing, by_way, drift: self.drift }
     }
 }
 
@@ -154,6 +165,8 @@ pub(super) struct Wish {
     pub(super) facing: f64,
     /// Whether it faces where it goes.
     pub(super) by_way: bool,
+    /// What a push adds: x and z (m/s). Nobody turns to where he is pushed.
+    pub(super) drift: [f64; 2],
 }
 
 /// A level vector to the left and forward of a heading, in the world.

@@ -29,6 +29,8 @@ const LAGS: f64 = 0.1;
 const FIRST: f64 = 0.85;
 /// And farther aside.
 const SIDEWAYS: f64 = 0.15;
+/// The drift that makes somebody step who stands (m/s): below it he sways where he is.
+const STIRS: f64 = 0.1;
 /// The radius below which bends are walked slower (m): by the third root, as people do.
 const BEND: f64 = 4.0;
 /// The least part of a speed that is left while the body turns to where it goes.
@@ -121,7 +123,9 @@ impl Course {
     /// Whether a command asks for a step of somebody who stands.
     pub(super) fn is_moved_by(&self, command: &Command) -> bool {
         let wish = command.wish([self.center.x, self.center.z], self.faces());
-        wish.speed > SLOWEST || wrapped(wish.facing - self.faces()).abs() > 4.0 * LEAST_TURN
+        wish.speed > SLOWEST
+            || wish.drift[0].hypot(wish.drift[1]) > STIRS
+            || wrapped(wish.facing - self.faces()).abs() > 4.0 * LEAST_TURN
     }
 
     /// The next step, from this heading of the body on, and the course after it. The first step leads with the foot on the side that
@@ -171,8 +175,9 @@ impl Course {
         let time = if self.stands { step_time * 0.88 } else { step_time };
         let mut way = [aside * time, forward * time];
         let length = way[0].hypot(way[1]);
-        if length > wish.left {
-            way = way.map(|x| x * wish.left / length);
+        let most = wish.left + wish.drift[0].hypot(wish.drift[1]) * time;
+        if length > most {
+            way = way.map(|x| x * most / length);
         }
         let [x, z] = ahead(before + 0.5 * turn, way);
         let center = self.center + Vector3::new(x, 0.0, z);
@@ -288,6 +293,8 @@ impl Course {
             let length = velocity[1] * 0.6;
             velocity[1] *= (length / turn.abs().max(1e-3) / BEND).cbrt().min(1.0);
         }
+        let drift = own(before + 0.5 * turn, wish.drift);
+        velocity = [velocity[0] + drift[0], velocity[1] + drift[1]];
         let fastest = paces.fastest();
         if velocity[1] > fastest {
             velocity[1] = fastest;

@@ -4,6 +4,7 @@ use crate::body::Body;
 use crate::error::{GaitError, LiveError};
 use crate::walking::G;
 use nalgebra::Vector3;
+use solaris_dynamics::Wrench;
 use solaris_model::Figure;
 use solaris_modes::{Hanging, SetupError};
 use solaris_profiles::step;
@@ -105,11 +106,12 @@ impl Limbs {
     }
 
     /// Goes on by `dt` (s) with a walk whose velocities and accelerations are in `v` and `a`, and writes what is loose into its
-    /// configuration.
-    pub(super) fn step(&mut self, dt: f64, q: &mut [f64]) {
+    /// configuration. What pushes a link is felt.
+    pub(super) fn step(&mut self, dt: f64, pushed: Option<(usize, Wrench<f64>)>, q: &mut [f64]) {
         self.q.copy_from_slice(q);
         self.moved.copy_from_slice(&self.v);
-        if self.hanging.step(dt, &mut self.q, &mut self.moved, &self.a).is_err() {
+        let is_felt = self.hanging.push(pushed);
+        if is_felt.and_then(|()| self.hanging.step(dt, &mut self.q, &mut self.moved, &self.a)).is_err() {
             // Frames are short and a walk's numbers finite: should it be refused all the same, the walk is shown.
             return;
         }

@@ -30,12 +30,14 @@ const RISES: (f64, f64, f64) = (0.4 * DEGREE, 0.22, 0.30);
 /// From when on of the own clock such a knee bends, and how much more it is bent as the foot lifts (rad).
 const BENDS: f64 = 0.44;
 const BENT: f64 = 16.0 * DEGREE;
-/// The steepest pitch of a foot.
-const STEEPEST: f64 = 78.0 * DEGREE;
+/// The steepest pitch of a foot, and over which range it comes to it (rad).
+const STEEPEST: (f64, f64) = (80.0 * DEGREE, 8.0 * DEGREE);
 /// Over which height the body gives way at once (m).
 const GIVES_WAY: f64 = 0.001;
 /// Until when of the swing, and over which part of it, a foot is drawn up to a leg that is too short.
 const DRAWN: (f64, f64) = (0.93, 0.07);
+/// Over which part of its time on the ground a foot that is about to swing comes to do so.
+const LEAVES: f64 = 0.6;
 
 /// A step that is under way.
 #[derive(Clone, Copy, Debug)]
@@ -223,7 +225,8 @@ impl Step {
             let knee = KNEES[0] + BENT * bends * bends * (3.0 - 2.0 * bends);
             let needed = sole.pitch_on_ball(hip, &ball, knee) - pitch;
             let may = step::quintic((clock - RISES.1) / (RISES.2 - RISES.1)).position;
-            pitch = (pitch + may * not_below_zero(needed, RISES.0)).min(STEEPEST);
+            pitch += may * not_below_zero(needed, RISES.0);
+            pitch = STEEPEST.0 - not_below_zero(STEEPEST.0 - pitch, STEEPEST.1);
         }
         (sole.ankle_on_ball(&ball, pitch), pitch, toes)
     }
@@ -261,15 +264,17 @@ impl Step {
         // A leg that would be too short all the same lets the body give way.
         let short = [0, 1]
             .map(|side| not_below_zero(above(paces, &(hips[side] - feet[side].0), KNEES[1]), GIVES_WAY));
-        let swings = (beat.walks() && t > beat.lift).then_some(beat.trailing());
-        let down = [0, 1].map(|side| if swings == Some(side) { 0.0 } else { short[side] });
-        let down = down[0].max(down[1]);
-        if let Some(side) = swings {
-            // A swinging leg draws its foot up instead, until shortly before it lands.
+        let mut down = short;
+        if beat.walks() {
+            // A leg that swings, or is about to, draws its foot up instead, until shortly before it lands.
+            let side = beat.trailing();
+            down[side] *= 1.0 - step::quintic(t / (LEAVES * beat.lift)).position;
+            let down = down[0].max(down[1]);
             let x = (t - beat.lift) / (beat.time - beat.lift);
             feet[side].0.y +=
                 (short[side] - down).max(0.0) * (1.0 - step::quintic((x - DRAWN.0) / DRAWN.1).position);
         }
+        let down = down[0].max(down[1]);
         pelvis.y -= down;
         let mut legs = [LegPose::default(); 2];
         for side in [0, 1] {

@@ -8,12 +8,14 @@ use super::free::Freed;
 use super::loose::Limbs;
 use super::paces::Paces;
 use super::print::{Print, sign};
+use super::push::Pushed;
 use super::step::Step;
 use super::tried::Tried;
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, LiveError};
 use nalgebra::Vector3;
+use solaris_dynamics::Wrench;
 use solaris_model::{Figure, RootOrder};
 use std::sync::Arc;
 
@@ -62,6 +64,9 @@ pub struct Walker {
     /// What nothing hangs from yet, and what does.
     tight: Arc<Limbs>,
     limbs: Option<Box<Limbs>>,
+    /// Nobody who is pushed, and what is left of a push.
+    alone: Arc<Pushed>,
+    pushed: Option<Box<Pushed>>,
     q: Vec<f64>,
     /// Room for another posture.
     scratch: Vec<f64>,
@@ -84,6 +89,7 @@ impl Walker {
         let nq = body.nq;
         let freed = Freed::new(figure, &body);
         let tight = Arc::new(Limbs::new(figure, &body)?);
+        let alone = Arc::new(Pushed::new(figure, &body)?);
         let paces = Arc::new(Paces::new(body)?);
         let half = 0.5 * paces.style(paces.at(0.0)).step_width;
         let foot = |side: usize| Foot {
@@ -113,6 +119,8 @@ impl Walker {
             freed,
             tight,
             limbs: None,
+            alone,
+            pushed: None,
             q: vec![0.0; nq],
             scratch: vec![0.0; nq],
         };
@@ -132,6 +140,7 @@ impl Walker {
         command.check()?;
         self.time += dt;
         self.freed.step(dt);
+        let command = &self.felt(dt, command);
         if self.step.beat.walks() {
             if self.time >= self.step.beat.time {
                 self.next(self.step.beat.time, command);
@@ -163,6 +172,9 @@ impl Walker {
             }
         }
         self.walked(v, a);
+        if let Some(pushed) = &self.pushed {
+            pushed.write_derivatives(v, a);
+        }
         if let Some(limbs) = &self.limbs {
             limbs.write_derivatives(v, a);
         }
@@ -279,6 +291,9 @@ impl Walker {
         self.walked(&mut v, &mut a);
         self.freed.write_derivatives(&mut v, &mut a);
         (limbs.v, limbs.a) = (v, a);
+        if let Some(pushed) = &self.pushed {
+            pushed.write_derivatives(&mut limbs.v, &mut limbs.a);
+        }
         let loosened = limbs.loosen(joint, &self.q);
         self.limbs = Some(limbs);
         loosened
@@ -296,18 +311,64 @@ impl Walker {
         }
     }
 
+    /// Pushes a point of a link (m, in its frame) with a force of the world (N) from now on, until it is pushed otherwise or
+    /// [let go](Self::let_go). Trunk and head give way at once, what is loose is taken along, and the next steps go along, for as long as it pushes and a
+    /// second more: who stands makes a step where it would take him more than a little. Planted feet stay where they are.
+    ///
+    /// How somebody gives way is a law of ours, no measured one; steps go along by the horizontal part of the force alone.
+    ///
+    /// # Errors
+    ///
+    /// A link that the figure has not, a force that is none or greater than the weight, and a place that is none: it is pushed as before.
+    #[doc(alias = "perturb")]
+    #[doc(alias = "shove")]
+    pub fn push(&mut self, link: &str, at: Vector3<f64>, force: Vector3<f64>) -> Result<(), LiveError> {
+        let mut pushed = self.pushed.take().unwrap_or_else(|| Box::new((*self.alone).clone()));
+        let taken = pushed.push(link, at, force);
+        self.pushed = Some(pushed);
+        taken
+    }
+
+    /// Pushes no more.
+    pub fn let_go(&mut self) {
+        if let Some(pushed) = &mut self.pushed {
+            pushed.let_go();
+        }
+    }
+
+    /// The link that was pushed in the last frame (its index), and the push about the world's origin: what an inverse dynamics of the walker needs beside the force of the
+    /// ground.
+    pub fn push_felt(&self) -> Option<(usize, Wrench<f64>)> {
+        self.pushed.as_ref().and_then(|pushed| pushed.wrench())
+    }
+
+    /// Feels a push for `dt` (s): the command with where it takes the walker.
+    fn felt(&mut self, dt: f64, command: &Command) -> Command {
+        // Of what is long over nothing is left.
+        self.pushed.take_if(|pushed| !pushed.is_felt());
+        let Some(pushed) = &mut self.pushed else { return *command };
+        pushed.step(dt, &self.q);
+        command.drifting(pushed.drift())
+    }
+
     /// Writes the configuration, `dt` (s) after the last.
     fn write(&mut self, dt: f64) {
         let placed = self.step.placed(&self.paces, self.time);
         placed.posture.write(&self.paces.body, &self.paces.plane, &mut self.q);
         self.freed.write(&mut self.q, dt);
+        if let Some(pushed) = &self.pushed {
+            pushed.write(&mut self.q);
+        }
         // While nothing hangs nothing is done.
         if let Some(mut limbs) = self.limbs.take_if(|limbs| limbs.moves()) {
             let (mut v, mut a) = (std::mem::take(&mut limbs.v), std::mem::take(&mut limbs.a));
             self.walked(&mut v, &mut a);
             self.freed.write_derivatives(&mut v, &mut a);
             (limbs.v, limbs.a) = (v, a);
-            limbs.step(dt, &mut self.q);
+            if let Some(pushed) = &self.pushed {
+                pushed.write_derivatives(&mut limbs.v, &mut limbs.a);
+            }
+            limbs.step(dt, self.push_felt(), &mut self.q);
             self.limbs = Some(limbs);
         }
     }

@@ -39,6 +39,7 @@ mod mirror;
 mod options;
 mod people;
 mod posed;
+mod pushed;
 mod random;
 mod ranges;
 mod refusals;

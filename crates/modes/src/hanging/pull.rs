@@ -3,7 +3,7 @@
 use super::loose::Loose;
 use crate::convex::cholesky;
 use nalgebra::{DMatrix, Vector3};
-use solaris_dynamics::{DynamicsError, Tree, Workspace, inverse_dynamics, mass_matrix};
+use solaris_dynamics::{DynamicsError, Tree, Workspace, Wrench, inverse_dynamics, mass_matrix};
 use solaris_model::Figure;
 
 /// What is added to inertias, as a part of them: where two axes of a joint come to be the same there is a way without any.
@@ -16,6 +16,8 @@ pub(super) struct Pull {
     workspace: Workspace<f64>,
     matrix: DMatrix<f64>,
     tau: Vec<f64>,
+    /// What pushes which link.
+    pub(super) pushed: Option<(usize, Wrench<f64>)>,
     /// Of what is loose: factors, row by row, and what is sought.
     factors: Vec<f64>,
     changes: Vec<f64>,
@@ -31,6 +33,7 @@ impl Pull {
             workspace: Workspace::new(&tree),
             matrix: DMatrix::zeros(nv, nv),
             tau: vec![0.0; nv],
+            pushed: None,
             factors: Vec::new(),
             changes: Vec::new(),
             tree,
@@ -62,7 +65,8 @@ impl Pull {
         (h, weight): (f64, f64),
     ) {
         let n = loose.len();
-        let found = inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, &[], &mut self.tau)
+        let pushed = self.pushed.as_slice();
+        let found = inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, pushed, &mut self.tau)
             .and_then(|()| mass_matrix(&self.tree, &mut self.workspace, q, &mut self.matrix));
         if found.is_err() {
             // Numbers that overflow: what hangs stays as it is.
@@ -75,7 +79,8 @@ impl Pull {
             }
             let inertia = self.factors[i * n + i];
             let ahead = weight * h;
-            let held = row.held(ahead, inertia, damping);
+            let load = if self.pushed.is_some() { self.tau[row.dof] } else { 0.0 };
+            let held = row.held(ahead, inertia, load, damping);
             self.factors[i * n + i] += MORE * inertia + ahead * (held.damping + ahead * held.stiffness);
             let own = held.force + (held.damping + ahead * held.stiffness) * row.velocity;
             self.changes[i] = h * (-self.tau[row.dof] - own);

@@ -1,6 +1,6 @@
 //! Limbs that hang loose: a pendulum by its closed form, energy, limits, and a driver that does anything.
 
-use solaris_dynamics::{Tree, Workspace, kinetic_energy, potential_energy};
+use solaris_dynamics::{Tree, Workspace, Wrench, kinetic_energy, potential_energy};
 use solaris_model::{Figure, FigureBuilder, Human, Joint, LinkSpec, RootOrder, Vector3};
 use solaris_modes::{Hanging, SetupError};
 
@@ -153,6 +153,34 @@ fn nothing_is_ever_no_number_whatever_is_prescribed() {
             assert!(q[dof].is_finite() && v[dof].abs() <= 20.0, "{frame}, {dof}: {} {}", q[dof], v[dof]);
             assert!(q[dof].abs() < 4.0, "{frame}, {dof}: {}", q[dof]);
         }
+    }
+}
+
+/// Pushed sideways for long, a pendulum hangs where weight and push are in balance: at the point of its mass, `tan θ = F/(m g)`.
+#[test]
+fn what_is_pushed_hangs_where_weight_and_push_are_in_balance() {
+    let figure = crane();
+    let mut hanging = Hanging::new(&figure, down()).expect("a figure");
+    let (mut q, mut v) = ([0.0; 4], [0.0; 4]);
+    hanging.loosen("lower_joint", &q, &v).expect("a joint");
+    let force = Vector3::new(0.0, 0.0, 5.0);
+    let mut settle = |hanging: &mut Hanging| {
+        for _ in 0..1200 {
+            let (sin, cos) = q[3].sin_cos();
+            // Where its mass is: below the lower joint, which is half a metre below the rails.
+            let at = Vector3::new(0.0, -0.5 - 0.25 * cos, -0.25 * sin);
+            hanging.push(Some((2, Wrench::at(&at, force, Vector3::zeros())))).expect("a push");
+            hanging.step(1.0 / RATE, &mut q, &mut v, &[0.0; 4]).expect("a frame");
+        }
+        q[3]
+    };
+    let angle = settle(&mut hanging);
+    assert!((angle.tan() + 5.0 / 9.80665).abs() < 1e-3, "{angle}");
+    for (link, wrench) in [
+        (3, Wrench::zero()),
+        (1, Wrench { force: Vector3::new(f64::NAN, 0.0, 0.0), moment: Vector3::zeros() }),
+    ] {
+        assert!(hanging.push(Some((link, wrench))).is_err());
     }
 }
 

@@ -1,9 +1,9 @@
 // Hands on the picture: a click chooses, a drag with Shift pulls in the plane that faces the camera.
 
-import { into, outOf, pick, sightLine, type Picked } from '../pick.ts';
-import type { Show } from '../show.ts';
-import { byId } from '../ui/dom.ts';
-import { three } from '../view.ts';
+import { into, outOf, pick, sightLine, type Picked } from './pick.ts';
+import type { Show } from './show.ts';
+import { byId } from './ui/dom.ts';
+import { three } from './view.ts';
 
 // By how much a click may wander (pixels).
 const STILL = 5;
