@@ -2,6 +2,8 @@
 
 use crate::error::FileError;
 use crate::files::Source;
+use crate::plates::table_plates;
+use solaris_analysis::ground::PlateRecord;
 use solaris_io::{Table, TableNote, opensim, record};
 use solaris_model::{Figure, Link, MeasuredForce, nearest};
 use std::path::{Path, PathBuf};
@@ -18,7 +20,8 @@ pub enum External {
         path: PathBuf,
         /// The table.
         table: Table,
-        /// One link or two, the foot and its toes, and what the names of the columns begin with.
+        /// One link or two, the foot and its toes, and what the names of the columns begin with. None: columns that are called by links push these; without
+        /// any such they are of plates, and whoever stands on them is to be found ([`External::unassigned`]).
         plates: Vec<(Vec<String>, String)>,
     },
     /// OpenSim's description and the table that it names.
@@ -104,6 +107,8 @@ impl External {
         let (path, records) = match self {
             Self::None => return Ok(Vec::new()),
             Self::Plates { path, table, plates } => {
+                let named = link_plates(table, figure);
+                let plates = if plates.is_empty() { &named } else { plates };
                 let records = plates.iter().map(|(links, prefix)| record::forces(table, links, prefix));
                 (path, records.collect())
             }
@@ -132,10 +137,25 @@ impl External {
         Ok(records)
     }
 
+    /// What plates recorded of which nobody says what they push: all of a table, where none of its columns are called by links.
+    ///
+    /// # Errors
+    ///
+    /// Columns that are missing.
+    pub fn unassigned(&self, figure: &Figure) -> Result<Vec<PlateRecord>, ExternalError> {
+        let Self::Plates { path, table, plates } = self else { return Ok(Vec::new()) };
+        if !plates.is_empty() || !link_plates(table, figure).is_empty() {
+            return Ok(Vec::new());
+        }
+        Ok(table_plates(table).map_err(|error| FileError::input(path, &error))?)
+    }
+
     /// Prefixes of force columns that push nothing: of the table of forces, or without one of the motion's own.
     pub fn unused(&self, motion: &Table) -> Vec<String> {
         match self {
             Self::None => record::force_prefixes(motion),
+            // Whoever names none takes all.
+            Self::Plates { plates, .. } if plates.is_empty() => Vec::new(),
             Self::Plates { table, plates, .. } => {
                 let all = record::force_prefixes(table).into_iter();
                 let bare = |name: &str| name.trim_end_matches('_').to_owned();
@@ -164,6 +184,9 @@ impl External {
         let plate = |links: &str, of: &str| format!("{links} by {of}");
         let (file, plates): (&Path, Vec<String>) = match self {
             Self::None => return "none".to_owned(),
+            Self::Plates { path, plates, .. } if plates.is_empty() => {
+                return format!("{}: links by their names", path.display());
+            }
             Self::Plates { path, plates, .. } => (
                 path,
                 plates
@@ -177,6 +200,12 @@ impl External {
         };
         format!("{}: {}", file.display(), plates.join(", "))
     }
+}
+
+/// Columns that are called by links of a figure, with these.
+pub(crate) fn link_plates(table: &Table, figure: &Figure) -> Vec<(Vec<String>, String)> {
+    let links = record::force_prefixes(table).into_iter().filter(|prefix| figure.locate(prefix).is_some());
+    links.map(|link| (vec![link.clone()], link)).collect()
 }
 
 /// A table of forces, rows that repeat a time left out.

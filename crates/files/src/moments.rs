@@ -90,7 +90,11 @@ impl Opened {
                 let plates = self.recording.as_ref().map_or(&[][..], |recording| &recording.plates);
                 let unknown =
                     "plates are there, and the feet on them are not known: open a text of soles with them";
-                let own = OwnPlates::of(plates, (motion, &prepared), soles.clone(), unknown);
+                let own = if self.plates.is_empty() {
+                    OwnPlates::of(plates, (motion, &prepared), soles.clone(), unknown)
+                } else {
+                    OwnPlates::of_records(&self.plates, &prepared, soles.clone(), unknown)
+                };
                 let own = own.map_err(|error| refuse(&error))?;
                 if !own.words.is_empty() {
                     external = own.words.join("; ");

@@ -11,7 +11,7 @@ use crate::fit::MarkerFit;
 use crate::given::Given;
 use crate::soles::SolesFrom;
 use gather::Gathering;
-use solaris_analysis::ground::Sole;
+use solaris_analysis::ground::{PlateRecord, Sole};
 use solaris_io::clip::ReadOptions;
 use solaris_io::markers::{Axes, LengthUnit, Recording};
 use solaris_io::{Table, TableNote};
@@ -49,6 +49,8 @@ pub struct Opened {
     pub soles: Option<(Vec<Sole>, SolesFrom)>,
     /// Forces that were measured.
     pub external: External,
+    /// Force plates of a table of which nobody says what they push: the feet on them are found by the soles.
+    pub plates: Vec<PlateRecord>,
     /// A scene.
     pub scene: Option<Held<Scene>>,
     /// What a page of this program shows, as JSON.

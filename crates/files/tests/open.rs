@@ -36,6 +36,34 @@ fn a_model_alone_is_a_figure_with_its_gravity() {
     assert!(text.body.is_some());
 }
 
+/// Who says nothing gets what the description of loads says: of each plate the foot that stands on it.
+#[test]
+fn plates_of_a_table_find_the_feet_that_stand_on_them() {
+    let filter = Some(Filter { cutoff: 6.0, order: 2 });
+    let options = MomentOptions { filter, ..MomentOptions::default() };
+    let all = [
+        "subject/walk.mot",
+        "subject/subject.osim",
+        "subject/soles.ron",
+        "subject/grf.mot",
+        "subject/loads.xml",
+    ];
+    let told = opened(&all).moments(&options).expect("moments");
+    let found = opened(&all[..4]);
+    assert_eq!(what(&found, "grf.mot"), ("2 force plates; the feet on them are found by the soles", true));
+    let found = found.moments(&options).expect("moments");
+    assert!(found.external.starts_with("plate 1: right from 0 to 1.175, "), "{}", found.external);
+    assert!(found.external.contains("; plate 2 ('1_'): left from "), "{}", found.external);
+    let scale = told.forces.tau.iter().fold(0.0_f64, |most, tau| most.max(tau.abs()));
+    for (one, other) in found.forces.tau.iter().zip(&told.forces.tau) {
+        assert!((one - other).abs() < 1e-9 * scale, "{one} {other}");
+    }
+    // Without soles it is said, and nothing pushes.
+    let blind = opened(&[all[0], all[1], all[3]]).moments(&options).expect("moments");
+    assert!(blind.external.contains("the feet on them are not known"), "{}", blind.external);
+    assert!(blind.motion.contacts.is_empty());
+}
+
 #[test]
 fn a_model_with_motion_loads_and_the_table_they_name_gives_moments() {
     let paths = [

@@ -107,9 +107,10 @@ fn needs_ground(arg: Arg) -> Arg {
 /// What pushes from outside.
 #[derive(Debug, Args)]
 pub(crate) struct ExternalArgs {
-    #[arg(long = "external", value_name = "FILE", conflicts_with = "loads", requires = "plates", help = wrap(
-        "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes). Of several \
-         motions {} stands for each one's name: grf/{}.mot"
+    #[arg(long = "external", value_name = "FILE", conflicts_with = "loads", help = wrap(
+        "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes). Without --plate \
+         its columns push the links that they are called by, or else the feet that the soles find on its plates. Of several motions {} stands \
+         for each one's name: grf/{}.mot"
     ))]
     pub(crate) forces: Option<PathBuf>,
     #[arg(

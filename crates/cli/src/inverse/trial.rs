@@ -22,7 +22,7 @@ use solaris::analysis::{InverseReport, PreparedMotion};
 use solaris::files::{Acting, External, JointForces, OwnPlates, Source, joint_forces};
 use solaris::io::{csv, sto};
 use solaris::model::{AxisKind, MeasuredForce, Medium};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A motion, the files of the forces in it, and what is to be written of it.
 pub(super) struct Trial {
@@ -73,10 +73,7 @@ impl Trial {
         let prepared = given.prepared()?;
         let ground = ground.map(|ground| ground.predict(&given, &prepared, moved)).transpose()?;
         let own = if measured.is_empty() && ground.is_none() {
-            let soles = known_soles(predicted.how.soles.as_deref(), &given)?.map(|(soles, _)| soles);
-            let plates = given.fitted.as_ref().map_or(&[][..], |fitted| &fitted.recording.plates);
-            OwnPlates::of(plates, (given.motion(), &prepared), soles, UNKNOWN_FEET)
-                .map_err(|error| CliError::input(from, &error))?
+            self.own_plates(&external, predicted.how.soles.as_deref(), &given, &prepared)?
         } else {
             OwnPlates::default()
         };
@@ -147,6 +144,31 @@ impl Trial {
         };
         self.write(&shown, &report, &forces, bands.as_ref())?;
         Ok(report)
+    }
+
+    /// The feet on plates of which nobody says who stands on them: of the table of forces, or of the motion's own file.
+    fn own_plates(
+        &self,
+        external: &External,
+        soles: Option<&Path>,
+        given: &Given,
+        prepared: &PreparedMotion<'_>,
+    ) -> Result<OwnPlates, CliError> {
+        let soles = known_soles(soles, given)?.map(|(soles, _)| soles);
+        let table = external.unassigned(&given.body.figure)?;
+        let own = match &self.forces {
+            Some(file) if soles.is_none() && !table.is_empty() => {
+                let why = "which foot stood on which of its plates cannot be told without soles; name them by --soles, or plates by \
+                           --plate";
+                return Err(CliError::input(file, &why));
+            }
+            Some(_) => OwnPlates::of_records(&table, prepared, soles, UNKNOWN_FEET),
+            None => {
+                let plates = given.fitted.as_ref().map_or(&[][..], |fitted| &fitted.recording.plates);
+                OwnPlates::of(plates, (given.motion(), prepared), soles, UNKNOWN_FEET)
+            }
+        };
+        own.map_err(|error| CliError::input(&self.motion, &error))
     }
 
     /// Whether it is to be found how far angles and moments may be off.

@@ -3,11 +3,12 @@
 use super::kind::Kind;
 use super::{Alone, FileRole, Held, OpenOptions, Opened, OpenedMotion, page};
 use crate::error::FileError;
-use crate::external::{External, ExternalError};
+use crate::external::{External, ExternalError, link_plates};
 use crate::figure::{Body, Language};
 use crate::files::Source;
 use crate::fit::fit_markers;
 use crate::given::Given;
+use crate::plates::table_plates;
 use crate::recording::turned;
 use solaris_io::clip::Clip;
 use solaris_io::markers::{Recording, cloud};
@@ -241,19 +242,38 @@ impl<'f> Gathering<'f> {
             } else {
                 self.motion_of(&body, &name);
                 if let (Some(motion), External::None) = (&self.opened.motion, &self.opened.external) {
+                    // Those of a motion that is not read for them may be anything: what is no plate is left.
+                    let plates = table_plates(&table).unwrap_or_default();
                     self.opened.external = by_links(&motion.path, table, &body);
+                    if matches!(self.opened.external, External::None) && self.opened.plates.is_empty() {
+                        self.opened.plates = plates;
+                    }
                 }
             }
             self.opened.body = Some(body);
         }
     }
 
-    /// Forces whose columns are called by links of the figure, as `solaris walk` writes them.
+    /// Forces whose columns are called by links of the figure, as `solaris walk` writes them, or those of force plates.
     fn say_forces(&mut self, name: &str, table: Table, body: &Body) {
+        let plates = table_plates(&table);
         let external = by_links(Path::new(name), table, body);
         if matches!(external, External::None) {
-            let what = "forces of which nobody says what they push: drop OpenSim's ExternalLoads with them";
-            return self.say(name, what, false);
+            match plates {
+                Ok(_) if !self.opened.plates.is_empty() => {
+                    self.say(name, "other force plates: some are open", false);
+                }
+                Ok(plates) => {
+                    let what = match plates.len() {
+                        1 => "a force plate; the foot on it is found by the soles".to_owned(),
+                        count => format!("{count} force plates; the feet on them are found by the soles"),
+                    };
+                    self.say(name, what, true);
+                    self.opened.plates = plates;
+                }
+                Err(error) => self.fault(name, "force plates", FileError::input(Path::new(name), &error)),
+            }
+            return;
         }
         self.say(name, "forces on links of the figure", true);
         self.opened.external = external;
@@ -446,9 +466,7 @@ fn is_of_forces(table: &Table, body: &Body) -> bool {
 
 /// Forces of a table whose columns are called by links of the figure; none where there are none.
 fn by_links(path: &Path, table: Table, body: &Body) -> External {
-    let links =
-        record::force_prefixes(&table).into_iter().filter(|prefix| body.figure.locate(prefix).is_some());
-    let plates: Vec<(Vec<String>, String)> = links.map(|link| (vec![link.clone()], link)).collect();
+    let plates = link_plates(&table, &body.figure);
     if plates.is_empty() { External::None } else { External::Plates { path: path.to_owned(), table, plates } }
 }
 

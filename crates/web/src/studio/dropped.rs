@@ -60,7 +60,7 @@ impl Dropped {
             "figure": opened.body.as_ref().map(|body| body.figure.name()),
             "isCloud": opened.is_cloud,
             "motion": opened.motion.as_ref().map(|motion| motion.path.to_string_lossy()),
-            "measured": !matches!(opened.external, External::None) || plates > 0,
+            "measured": !matches!(opened.external, External::None) || !opened.plates.is_empty() || plates > 0,
             "soles": opened.soles.is_some(),
             "scene": opened.scene.as_ref().map(|scene| &scene.text),
             "page": opened.page.as_ref().map(|page| &page.text),
