@@ -5,6 +5,7 @@
     reason = "an allocator cannot be written without; this one passes everything on to the system's"
 )]
 
+use nalgebra::Vector3;
 use solaris_gait::{Command, Walker};
 use solaris_model::{Human, RootOrder};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -47,7 +48,11 @@ fn frames_allocate_nothing() {
     let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().expect("a person");
     let mut walker = Walker::new(&figure).expect("a walker");
     let (mut v, mut a) = (vec![0.0; figure.layout().nv()], vec![0.0; figure.layout().nv()]);
-    // To hang takes room once.
+    // To hang and to be pushed take room once.
+    let push = |walker: &mut Walker, newtons: f64| {
+        walker.push("thorax", Vector3::zeros(), Vector3::new(newtons, 0.0, 0.5 * newtons)).expect("a push");
+    };
+    push(&mut walker, 20.0);
     for joint in ["left_elbow", "head"] {
         walker.loosen(joint).expect("a joint");
     }
@@ -65,6 +70,7 @@ fn frames_allocate_nothing() {
             // Another joint comes back while one hangs.
             walker.tighten("left_elbow").expect("a joint");
         }
+        push(&mut walker, 40.0 * angle.cos());
         walker.step(1.0 / 60.0, &command).expect("a frame");
         walker.derivatives(&mut v, &mut a).expect("slices");
     }
