@@ -17,7 +17,6 @@ fn options_that_cannot_be_understood() {
         ("--external grf.mot --plate =1_", "one link"),
         ("--external grf.mot --plate a+b+c=", "one link"),
         ("--external grf.mot --plate calcn_r+=", "one link"),
-        ("--external grf.mot", "--plate"),
         ("--plate calcn_r=", "--external"),
         ("--external grf.mot --plate calcn_r= --external-loads loads.xml", "cannot be used with"),
         ("--gravity 1,2", "three numbers"),
