@@ -141,13 +141,17 @@ impl External {
     ///
     /// # Errors
     ///
-    /// Columns that are missing.
+    /// Columns that are missing, all of them too: a table of no forces is none of plates.
     pub fn unassigned(&self, figure: &Figure) -> Result<Vec<PlateRecord>, ExternalError> {
         let Self::Plates { path, table, plates } = self else { return Ok(Vec::new()) };
         if !plates.is_empty() || !link_plates(table, figure).is_empty() {
             return Ok(Vec::new());
         }
-        Ok(table_plates(table).map_err(|error| FileError::input(path, &error))?)
+        let plates = match table_plates(table) {
+            Ok(plates) if plates.is_empty() => record::forces(table, &[], "").map(|_| plates),
+            plates => plates,
+        };
+        Ok(plates.map_err(|error| FileError::input(path, &error))?)
     }
 
     /// Prefixes of force columns that push nothing: of the table of forces, or without one of the motion's own.

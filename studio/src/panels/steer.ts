@@ -32,8 +32,8 @@ const [WRITTEN, HINTED] = [200, 15000];
 // Newtons a metre for each kilogram of a hand that drags, its greatest force (weights), and how long (s) and hard (weights) a button pushes.
 const [PULL, HARDEST] = [3, 0.25];
 const [SHOVE, SHOVES] = [0.5, 0.15];
-// Where a button pushes: as far as that from the body (m) that the spring has the force of the push.
-const SHOVED = 'thorax';
+// What a button pushes, and how far ahead its spring draws (m): so far that the force is always the greatest.
+const [SHOVED, AWAY] = ['thorax', 10];
 const GRAVITY = 9.80665;
 // Steps of which the cadence is the mean, and after how long none it is over (s).
 const [STEPS, OVER] = [4, 1.5];
@@ -180,16 +180,17 @@ export function makeSteerPanel(app: App): void {
     if (shove.left <= 0 || !state || link < 0) return undefined;
     shove.left -= dt;
     const { stiffness } = spring();
-    const [most, far] = [SHOVES * who.mass * GRAVITY, 10];
+    const most = SHOVES * who.mass * GRAVITY;
     const [sin, cos] = [Math.sin(state.heading), Math.cos(state.heading)];
     const [left, forward] = shove.way;
     const at = [0, 1, 2].map((axis) => state!.poses[7 * link + axis]);
-    const place = [at[0] + far * (cos * left + sin * forward), at[1], at[2] + far * (cos * forward - sin * left)];
+    const place = [at[0] + AWAY * (cos * left + sin * forward), at[1], at[2] + AWAY * (cos * forward - sin * left)];
     return { stiffness, most, link, point: [0, 0, 0], place };
   }
   function drawPull(frame: SteeredFrame): void {
     const { pull, poses } = frame;
-    if (!pull) return arrow.draw(null);
+    // A frame that was asked for before the hand let go comes after it.
+    if (!pull || (!grip && shove.left <= 0)) return arrow.draw(null);
     const length = PULL * who.mass;
     const link = data?.links.findIndex(({ name }) => name === SHOVED) ?? -1;
     if (grip) arrow.draw({ to: grip.to, from: grip.to.map((x, axis) => x - pull[axis] / length), force: pull });

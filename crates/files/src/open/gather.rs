@@ -242,12 +242,7 @@ impl<'f> Gathering<'f> {
             } else {
                 self.motion_of(&body, &name);
                 if let (Some(motion), External::None) = (&self.opened.motion, &self.opened.external) {
-                    // Those of a motion that is not read for them may be anything: what is no plate is left.
-                    let plates = table_plates(&table).unwrap_or_default();
                     self.opened.external = by_links(&motion.path, table, &body);
-                    if matches!(self.opened.external, External::None) && self.opened.plates.is_empty() {
-                        self.opened.plates = plates;
-                    }
                 }
             }
             self.opened.body = Some(body);
