@@ -60,7 +60,9 @@ const bundle = async (entry, options = {}) => {
   return result.outputFiles.map(({ text }) => text);
 };
 const [boot] = await bundle('src/boot.js');
-const [studio, style] = await bundle('src/main.ts');
+// The style of the panels comes with their code; the page is seen with its own before.
+const [studio, panels] = await bundle('src/main.ts');
+const [style] = await bundle('src/style.css');
 // The engine is handed to it: it asks for no file.
 const [worker] = await bundle('src/engine/worker.ts', { define: { 'import.meta.url': '""' } });
 const assets = join(root, 'crates/view/assets');
@@ -73,7 +75,7 @@ const licences = [...used].sort().map((name) => {
   if (!licence) throw new Error(`${name} comes without a text of its licence`);
   return `${name} ${version}\n\n${readFileSync(join(folder, licence), 'utf8').trim()}`;
 });
-const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8')].join('\0'));
+const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8'), panels].join('\0'));
 
 // --- the page
 const same = (a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;

@@ -31,11 +31,12 @@ if (globalThis.document) {
   });
   const begin = () => {
     const [code] = pieces(...held('code'));
-    const [viewer, studio, worker, style] = new TextDecoder().decode(code).split('\0');
-    const run = (text) => document.head.append(Object.assign(document.createElement('script'), { textContent: text }));
+    const [viewer, studio, worker, style, panels] = new TextDecoder().decode(code).split('\0');
+    const add = (kind, text) => document.head.append(Object.assign(document.createElement(kind), { textContent: text }));
     globalThis.solarisParts = { viewer, style, worker, module };
-    run(viewer);
-    run(studio);
+    add('style', panels);
+    add('script', viewer);
+    add('script', studio);
   };
   // The page is seen before it is unpacked; one in the background is not drawn, and does not wait for it.
   let begun = false;

@@ -52,21 +52,50 @@ export function slope(time: ArrayLike<number>, values: ArrayLike<number>): Float
 // Where a foot begins to bear: this share of the weight.
 const BEARS = 0.05;
 
-// The middle one of all strides of a foot, from one strike to the next (s); null where no foot strikes twice.
-export function stride(data: Data): [number, number] | null {
-  for (const { force } of data.feet) {
+export interface Stride {
+  from: number;
+  to: number;
+  side: string;
+  // How fast it goes, over the root of gravity times the leg's length; null where the foot does not bear.
+  speed: number | null;
+}
+
+// The middle one of all strides of a foot, from one strike to the next (s), of a foot of this side where one strikes twice; null where none does.
+export function stride(data: Data, side: string): Stride | null {
+  const feet = [...data.feet].sort((a, b) => Number(b.side === side) - Number(a.side === side));
+  for (const { force, link, side } of feet) {
     const size = (frame: number): number => Math.hypot(force[3 * frame], force[3 * frame + 1], force[3 * frame + 2]);
     const frames = data.time.length;
     let peak = 0;
     for (let i = 0; i < frames; i += 1) peak = Math.max(peak, size(i));
     const least = BEARS * (data.weight ?? peak);
     const strikes: number[] = [];
-    for (let i = 1; i < frames; i += 1) if (size(i) > least && size(i - 1) <= least) strikes.push(data.time[i]);
+    for (let i = 1; i < frames; i += 1) if (size(i) > least && size(i - 1) <= least) strikes.push(i);
     if (strikes.length < 2) continue;
     const middle = Math.floor((strikes.length - 2) / 2);
-    return [strikes[middle], strikes[middle + 1]];
+    const [first, last] = [strikes[middle], strikes[middle + 1]];
+    return { from: data.time[first], to: data.time[last], side, speed: speed(data, link, (i) => i >= first && i < last && size(i) > least) };
   }
   return null;
+}
+
+// Gravity (m/s²).
+const GRAVITY = 9.81;
+
+// How fast the root goes over a foot that bears. A flat foot goes as the ground does, on a treadmill too; while it rolls it is slower against the root:
+// the speed that three of four frames do not exceed. The leg is as long as the foot is ever below the root.
+function speed(data: Data, link: string, bears: (frame: number) => boolean): number | null {
+  const at = data.links.findIndex(({ name }) => name === link);
+  if (at < 0) return null;
+  const place = (frame: number, axis: number): number => data.positions[3 * (frame * data.links.length + at) + axis];
+  const speeds: number[] = [];
+  let leg = 0;
+  for (let i = 0; i + 1 < data.time.length; i += 1) {
+    leg = Math.max(leg, -place(i, 1));
+    if (bears(i)) speeds.push(Math.hypot(place(i + 1, 0) - place(i, 0), place(i + 1, 2) - place(i, 2)) / (data.time[i + 1] - data.time[i]));
+  }
+  speeds.sort((a, b) => a - b);
+  return leg > 0 && speeds.length > 0 ? speeds[Math.floor(0.75 * speeds.length)] / Math.sqrt(GRAVITY * leg) : null;
 }
 
 // A value between frames.

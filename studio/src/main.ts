@@ -1,6 +1,5 @@
 // The studio: puts engine, picture and panels together.
 
-import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
 import { restore } from './link.ts';

@@ -30,6 +30,41 @@ test('a walk that is kept stands beside the next one, dashed in the chart', asyn
   assert.equal(await page.evaluate(() => studio.show.picture.stage.scene.getObjectByName('ghost') ?? null), null);
 });
 
+test('people lie behind the curves of a stride', async (t) => {
+  const page = await open(t, { still: true });
+  if (!page) return;
+  const bands = () => page.locator('#panel-compare svg.chart path.band').count();
+  await page.click('#tab-compare');
+  await page.selectOption('[aria-label="Quantity"]', 'Knee flexion, right');
+  assert.equal(await bands(), 0);
+  await page.selectOption('[aria-label="Over"]', 'stride');
+  await page.waitForSelector('#panel-compare svg.chart path.band');
+  assert.equal(await bands(), 2);
+  assert.match(await text(page, '#panel-compare .chart-values'), /people, free pace/);
+  // At the pointer: a knee in mid-swing, where people have 59 ± 6.
+  const chart = page.locator('#panel-compare svg.chart');
+  await chart.scrollIntoViewIfNeeded();
+  const box = await chart.boundingBox();
+  await page.mouse.move(box.x + 44 + 0.72 * (box.width - 54), box.y + box.height / 2);
+  const [, mean, deviation] = /people, free pace: ([\d.]+) ± ([\d.]+) °/.exec(await text(page, '#panel-compare .chart-values'));
+  assert.ok(Math.abs(mean - 59) < 2 && Math.abs(deviation - 6) < 2, `${mean} ± ${deviation}`);
+  // Nobody has measured elbows there; and it can be put out.
+  await page.selectOption('[aria-label="Quantity"]', 'Elbow flexion, right');
+  assert.equal(await bands(), 0);
+  await page.selectOption('[aria-label="Quantity"]', 'Vertical force, left');
+  await page.waitForSelector('#panel-compare svg.chart path.band');
+  await page.click('text=People behind it');
+  assert.equal(await bands(), 0);
+  // Slowly people bend it less.
+  await page.click('text=People behind it');
+  await page.click('#tab-walk');
+  await page.fill('[aria-label="Pace (steps/min)"]', '70');
+  await page.press('[aria-label="Pace (steps/min)"]', 'Tab');
+  await page.waitForFunction(() => document.querySelector('#panel-numbers')?.textContent.includes('70'));
+  await page.click('#tab-compare');
+  await page.waitForFunction(() => /slow pace/.test(document.querySelector('#panel-compare .chart-values').textContent));
+});
+
 async function first(page, pattern) {
   const labels = await page.$$eval('[aria-label="Quantity"] option', (options) => options.map((option) => option.textContent));
   const found = labels.find((label) => pattern.test(label));

@@ -1,7 +1,11 @@
 //! A comparison of walks with people: every fact that is known of their walking, and the walker's own value.
 
+mod beside;
+mod curves;
 mod facts;
 
+pub use beside::Beside;
+pub use curves::{Curve, PACES, PHASES, Pace, curves, nearest_pace};
 pub use facts::{FACTS, Fact, Person};
 
 use crate::error::{GaitError, MeasureError};
@@ -23,6 +27,8 @@ pub struct Compared {
     pub step_frequency: f64,
     /// The stride, or the refusal.
     pub stride: Result<SteadyStride, GaitError>,
+    /// The stride's curves beside people's at its pace; none of a refusal.
+    pub curves: Vec<Beside>,
     person: Person,
 }
 
@@ -39,14 +45,23 @@ impl Compared {
             parameters,
             ..WalkRequest::default()
         };
-        let stride = || {
+        let walked = || {
             let plan = StyledPlan::of(figure, &StyledRequest::Smooth(request))?;
             let (motion, _) = plan.loaded(figure, RATE)?;
             let steady = measure(figure, &motion)?.steady;
-            Ok(steady.ok_or(MeasureError::NothingToMeasure { what: "steady stride" })?)
+            let steady = steady.ok_or(MeasureError::NothingToMeasure { what: "steady stride" })?;
+            let curves = beside::beside(figure, &motion, &steady);
+            Ok((steady, curves))
         };
         let person = Person { height: figure.stature().unwrap_or(f64::NAN), step_frequency };
-        Self { step_frequency, stride: stride(), person }
+        let (stride, curves) =
+            walked().map_or_else(|error| (Err(error), Vec::new()), |(stride, curves)| (Ok(stride), curves));
+        Self { step_frequency, stride, curves, person }
+    }
+
+    /// What its column of a table is called.
+    fn heading(&self) -> String {
+        format!("{} /min", self.step_frequency)
     }
 
     /// A fact's value here, and whether it lies inside of people's band.
@@ -67,14 +82,17 @@ impl Compared {
     }
 }
 
-/// The table of all facts for a figure's smooth walks at step frequencies (steps/min).
-pub fn table(figure: &Figure, determinants: Determinants, step_frequencies: &[f64]) -> GaitTable {
-    let compared: Vec<Compared> =
-        step_frequencies.iter().map(|frequency| Compared::of(figure, determinants, *frequency)).collect();
+/// A figure's smooth walks at step frequencies (steps/min).
+pub fn compare(figure: &Figure, determinants: Determinants, step_frequencies: &[f64]) -> Vec<Compared> {
+    step_frequencies.iter().map(|frequency| Compared::of(figure, determinants, *frequency)).collect()
+}
+
+/// The table of all facts for walks of so many determinants.
+pub fn table(determinants: Determinants, compared: &[Compared]) -> GaitTable {
     let mut columns =
         vec!["fact".to_owned(), "unit".to_owned(), "people".to_owned(), "measured trial".to_owned()];
-    columns.extend(step_frequencies.iter().map(|frequency| format!("{frequency} /min")));
-    let mut rows: Vec<Vec<Cell>> = FACTS.iter().map(|fact| row(fact, &compared)).collect();
+    columns.extend(compared.iter().map(Compared::heading));
+    let mut rows: Vec<Vec<Cell>> = FACTS.iter().map(|fact| row(fact, compared)).collect();
     let mut counts = vec![Cell::plain("inside"), Cell::plain(""), Cell::plain(""), Cell::plain("")];
     counts.extend(compared.iter().map(|compared| {
         Cell::plain(compared.inside().map_or_else(String::new, |(held, of)| format!("{held} of {of}")))
@@ -85,16 +103,52 @@ pub fn table(figure: &Figure, determinants: Determinants, step_frequencies: &[f6
         "*: a textbook's range that nobody has looked up.".to_owned(),
         "Measured trial: one person on a treadmill, 97.8 steps/min, 1.135 m/s.".to_owned(),
     ];
-    for compared in &compared {
-        if let Err(error) = &compared.stride {
-            notes.push(format!("{} steps/min is refused: {error}", compared.step_frequency));
-        }
-    }
+    notes.extend(refusals(compared));
     let title = match determinants {
         Determinants::Three => "smooth walks of three determinants beside people",
         Determinants::Five => "smooth walks of five determinants beside people",
     };
     GaitTable { number: "", title, columns, rows, notes }
+}
+
+/// The table of the curves of the same walks.
+pub fn curve_table(compared: &[Compared]) -> GaitTable {
+    let mut columns = vec!["curve".to_owned(), "unit".to_owned()];
+    columns.extend(compared.iter().map(Compared::heading));
+    let known = compared.iter().find(|compared| !compared.curves.is_empty());
+    let rows = known.into_iter().flat_map(|known| &known.curves).map(|Beside { people, .. }| {
+        let decimals = usize::from(people.unit.starts_with(['N', 'W'])) + 1;
+        let cells = compared.iter().map(|compared| {
+            let beside = compared.curves.iter().find(|beside| beside.people.name == people.name);
+            beside.map_or_else(
+                || "–".to_owned(),
+                |beside| format!("{:.decimals$} ({:.0} %)", beside.difference(), 100.0 * beside.within(2.0)),
+            )
+        });
+        [people.name.to_owned(), people.unit.to_owned()].into_iter().chain(cells).map(Cell::plain).collect()
+    });
+    let mut notes = vec![
+        "Root of the mean square of the difference from people's mean over a stride, and in brackets in how much of the stride it lies within two \
+         standard deviations."
+            .to_owned(),
+        "People: up to 82 children and young people at the nearest of five paces, Schwartz, Rozumalski and Trost 2008 (J. Biomech. 41:1639)."
+            .to_owned(),
+    ];
+    notes.extend(refusals(compared));
+    GaitTable {
+        number: "",
+        title: "curves of smooth walks beside people",
+        rows: rows.collect(),
+        columns,
+        notes,
+    }
+}
+
+fn refusals(compared: &[Compared]) -> impl Iterator<Item = String> {
+    compared.iter().filter_map(|compared| {
+        let error = compared.stride.as_ref().err()?;
+        Some(format!("{} steps/min is refused: {error}", compared.step_frequency))
+    })
 }
 
 fn row(fact: &Fact, compared: &[Compared]) -> Vec<Cell> {

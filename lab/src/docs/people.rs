@@ -2,8 +2,8 @@
 
 use super::Tables;
 use crate::table::{Cell, Table};
-use solaris_gait::determinants::Determinants;
-use solaris_gait::people::{Compared, table};
+use solaris_gait::determinants::{Determinants, GaitTable};
+use solaris_gait::people::{Compared, compare, curve_table, table};
 use solaris_model::{Figure, human};
 
 /// Step frequencies (steps/min).
@@ -17,16 +17,15 @@ fn body((height, mass): (f64, f64)) -> Result<Figure, String> {
 
 /// The tables of the page.
 pub(super) fn tables(_: &str) -> Result<Tables, String> {
+    let five = compare(&body(BODIES[1])?, Determinants::Five, &STEP_FREQUENCIES);
+    let three = compare(&body(BODIES[1])?, Determinants::Three, &STEP_FREQUENCIES);
+    let markdown = |table: GaitTable| table.markdown().trim_end().to_owned();
     Ok(vec![
-        ("five", facts(Determinants::Five)?),
-        ("three", facts(Determinants::Three)?),
+        ("five", markdown(table(Determinants::Five, &five))),
+        ("curves", markdown(curve_table(&five))),
+        ("three", markdown(table(Determinants::Three, &three))),
         ("bodies", counts()?.markdown()),
     ])
-}
-
-/// All facts of the middle body, for five or three determinants.
-fn facts(determinants: Determinants) -> Result<String, String> {
-    Ok(table(&body(BODIES[1])?, determinants, &STEP_FREQUENCIES).markdown().trim_end().to_owned())
 }
 
 /// How many facts lie inside, for all bodies and both numbers of determinants.

@@ -90,6 +90,12 @@ export interface Anatomy {
   soles: { link: number; from: number[]; to: number[] }[];
 }
 
+// What people do over a stride, from one strike of a foot to its next, evenly.
+export interface People {
+  pace: string;
+  curves: { name: string; unit: string; mean: number[]; deviation: number[] }[];
+}
+
 export interface TextFault {
   from: number;
   to: number;

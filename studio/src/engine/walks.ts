@@ -1,8 +1,8 @@
 // Walks and runs.
 
-import { Figure, skinOf, walk, walkRange, type WalkOptions } from '../../dist/engine/engine.js';
+import { Figure, peopleCurves, skinOf, walk, walkRange, type WalkOptions } from '../../dist/engine/engine.js';
 import { keepMotion } from './motions.ts';
-import type { ShownMotion, Who } from './protocol.ts';
+import type { People, ShownMotion, Who } from './protocol.ts';
 import type { Context } from './worker.ts';
 
 // Walkers turn by their heading first, so that any turn can be walked.
@@ -25,6 +25,8 @@ export const walks = {
       figure.free();
     }
   },
+  // People's curves at the pace that is nearest.
+  people: (_: Context, speed: number): People => JSON.parse(peopleCurves(speed)),
   skin(_: Context, who: Who): string | null {
     const figure = human(who);
     try {

@@ -2,10 +2,11 @@
 
 import './compare.css';
 import type { App } from '../app.ts';
-import { distances, placeOf, quantities, stride, valueAt, type Quantity } from '../curves.ts';
+import { distances, placeOf, quantities, stride, valueAt, type Quantity, type Stride } from '../curves.ts';
+import type { People } from '../engine/protocol.ts';
 import { makeGhost } from '../ghost.ts';
 import { makeMeasure } from '../measure.ts';
-import { makeChart, type ChartLine } from '../ui/chart.ts';
+import { makeChart, type ChartBand, type ChartLine } from '../ui/chart.ts';
 import { button, el } from '../ui/dom.ts';
 import { three, view, type Data, type Frame } from '../view.ts';
 
@@ -70,6 +71,10 @@ export function makeComparePanel(app: App): void {
   const y = select('Quantity', [], () => draw());
   const x = select('Over', ACROSS, () => draw());
   const note = el('p', { class: 'fault', hidden: true });
+  const behind = el('input', { type: 'checkbox', checked: true, autocomplete: 'off' });
+  behind.addEventListener('change', () => draw());
+  const offered = el('label', { class: 'check' }, behind, 'People behind it');
+  const whose = el('p', { class: 'remark' }, 'Mean and one and two standard deviations of children and young people at the nearest of five paces (Schwartz, Rozumalski and Trost 2008).');
   let known: Quantity[] = [];
   let sides = new Map<string, ChartLine['side']>();
   interface Drawn {
@@ -79,6 +84,7 @@ export function makeComparePanel(app: App): void {
     // The motion's frame, and where in its time the line begins and ends.
     from: number;
     to: number;
+    stride?: Stride;
   }
   let drawn: Drawn[] = [];
 
@@ -97,20 +103,50 @@ export function makeComparePanel(app: App): void {
     if (x.value === 'time') return { data, x: Float32Array.from(time, (t) => t - first), y: up.values, from: first, to: last };
     if (x.value === 'share') return { data, x: Float32Array.from(time, (t) => (100 * (t - first)) / (last - first)), y: up.values, from: first, to: last };
     if (x.value === 'stride') {
-      const one = stride(data);
+      const one = stride(data, sides.get(y.value) ?? 'middle');
       if (!one) return 'has no whole stride: no foot strikes the ground twice';
       const clock = view.makeClock(time);
       const shares = Float32Array.from({ length: 101 }, (_, i) => i);
       const values = shares.map((share) => {
-        clock.seek(one[0] + (share / 100) * (one[1] - one[0]));
+        clock.seek(one.from + (share / 100) * (one.to - one.from));
         return valueAt(up.values, clock.frame());
       });
-      return { data, x: shares, y: values, from: one[0], to: one[1] };
+      return { data, x: shares, y: values, from: one.from, to: one.to, stride: one };
     }
     const across = found.find((other) => other.name === x.value);
     return across ? { data, x: across.values, y: up.values, from: first, to: last } : `has no '${x.value}'`;
   }
   const isPath = (): boolean => !ACROSS.some(([value]) => value === x.value);
+
+  // --- people behind it
+  let people: { speed: number; found: People | null } | null = null;
+  const ask = (speed: number): void => {
+    people = { speed, found: null };
+    const asked = people;
+    app.engine.call<People>('people', [speed]).then((found) => {
+      asked.found = found;
+      if (asked === people) draw();
+    }, app.fault);
+  };
+  // What people do is told of the leg that strikes; of the pelvis, of the left one.
+  function band([one]: Drawn[]): ChartBand | null {
+    const { stride: of } = one ?? {};
+    const side = sides.get(y.value) ?? 'middle';
+    if (!of || of.speed === null || !behind.checked || of.side !== (side === 'middle' ? 'left' : side)) return null;
+    if (people?.speed !== of.speed) ask(of.speed);
+    const plain = y.value.replace(/, (left|right)/, '');
+    // OpenSim's pelvis turns the other way round, and some of its knees.
+    const theirs = !known.some(({ name }) => name.startsWith('Ankle dorsiflexion'));
+    if (theirs && side === 'middle') return null;
+    const own = theirs ? plain.replace('Knee angle', 'Knee flexion').replace('Ankle angle', 'Ankle dorsiflexion') : plain;
+    const bend = plain.startsWith('Knee angle') ? known.find(({ name }) => name === y.value.replace(/: .*/, ''))?.values : null;
+    const sign = bend && !own.endsWith('power') ? Math.sign(Array.from(bend).reduce((sum, angle) => sum + angle, 0)) : 1;
+    const { pace, curves } = people?.found ?? {};
+    const curve = curves?.find(({ name }) => name === own);
+    if (!curve) return null;
+    const x = curve.mean.map((_, i) => (100 * i) / (curve.mean.length - 1));
+    return { name: `people, ${pace} pace`, x, mean: curve.mean.map((mean) => sign * mean), deviation: curve.deviation };
+  }
 
   function draw(): void {
     if (element.hidden) return;
@@ -128,7 +164,10 @@ export function makeComparePanel(app: App): void {
     const unit = (chosen: string): string => known.find((one) => one.name === chosen)?.unit ?? '';
     const units = { x: x.value === 'time' ? 's' : isPath() ? unit(x.value) : '%', y: unit(y.value) };
     const side = sides.get(y.value) ?? 'middle';
-    chart.draw(made.map(([one, title, dashed]) => ({ name: title, side, dashed, x: one.x, y: one.y })), units, isPath());
+    const shown = band(drawn);
+    whose.hidden = !shown;
+    offered.hidden = x.value !== 'stride';
+    chart.draw(made.map(([one, title, dashed]) => ({ name: title, side, dashed, x: one.x, y: one.y })), units, isPath(), shown);
     mark();
   }
 
@@ -224,8 +263,10 @@ export function makeComparePanel(app: App): void {
     el('h2', {}, 'Chart'),
     choice('Quantity', y),
     choice('Over', x),
+    offered,
     note,
     chart.element,
+    whose,
     el('h2', {}, 'Distance'),
     el('div', { class: 'row' }, pick, forget),
     measured,

@@ -12,16 +12,26 @@ export interface ChartLine {
   y: ArrayLike<number>;
 }
 
+// What lies behind the lines: a mean, and how far others are from it.
+export interface ChartBand {
+  name: string;
+  x: ArrayLike<number>;
+  mean: ArrayLike<number>;
+  deviation: ArrayLike<number>;
+}
+
 export interface Chart {
   element: HTMLElement;
   // `path`: x goes to and fro, as in a plane of two quantities.
-  draw(lines: ChartLine[], units: { x: string; y: string }, path: boolean): void;
+  draw(lines: ChartLine[], units: { x: string; y: string }, path: boolean, band?: ChartBand | null): void;
   // Marks a place of each line.
   mark(places: ([number, number] | null)[]): void;
 }
 
 type Place = [number, number];
 const HEIGHT = 200;
+// How many deviations a band is wide to each side, the widest first.
+const WIDTHS = [2, 1];
 // Room for the numbers beside the lines (px).
 const [LEFT, RIGHT, TOP, BOTTOM] = [44, 10, 8, 20];
 
@@ -42,22 +52,33 @@ function ticks(low: number, high: number, count: number): number[] {
   return found;
 }
 
+// A value of a line whose places go up, at a place.
+function between(x: ArrayLike<number>, y: ArrayLike<number>, at: number): number {
+  let i = 1;
+  while (i < x.length - 1 && x[i] < at) i += 1;
+  return y[i - 1] + (y[i] - y[i - 1]) * Math.min(1, Math.max(0, (at - x[i - 1]) / (x[i] - x[i - 1])));
+}
+
 export function makeChart(label: string): Chart {
   const picture = svg('svg', { role: 'img', 'aria-label': label, class: 'chart' });
   const readout = el('div', { class: 'chart-values' });
   const element = el('div', { class: 'charted' }, picture, readout);
-  let drawn: { lines: ChartLine[]; units: { x: string; y: string }; path: boolean } | null = null;
+  let drawn: { lines: ChartLine[]; units: { x: string; y: string }; path: boolean; band: ChartBand | null } | null = null;
   let marks: SVGElement[] = [];
   let [under, last]: [boolean, (Place | null)[]] = [false, []];
   let [px, py]: ((value: number) => number)[] = [Number, Number];
 
   const say = (places: (Place | null)[]): void => {
     if (!drawn) return;
-    const { lines, units } = drawn;
+    const { lines, units, band } = drawn;
     readout.replaceChildren(...lines.map(({ name, side, dashed }, i) => {
       const at = places[i];
       return el('span', { class: `line ${side}${dashed ? ' dashed' : ''}` }, `${name}${at ? `: ${digits(at[1])} ${units.y} at ${digits(at[0])} ${units.x}` : ''}`);
     }));
+    if (!band) return;
+    const at = places.find(Boolean);
+    const value = (of: ArrayLike<number>): string => digits(between(band.x, of, at![0]));
+    readout.append(el('span', { class: 'line band' }, `${band.name}${at ? `: ${value(band.mean)} ± ${value(band.deviation)} ${units.y}` : ''}`));
   };
   // The point of a line that is nearest to a place of the chart.
   const nearest = ({ x, y }: ChartLine, left: number, top: number): Place | null => {
@@ -74,13 +95,19 @@ export function makeChart(label: string): Chart {
     readout.replaceChildren();
     const width = element.clientWidth;
     if (!drawn || width === 0 || drawn.lines.length === 0) return;
-    const { lines, path } = drawn;
+    const { lines, path, band } = drawn;
     const range = (which: 'x' | 'y'): Place => {
       let [low, high] = [Infinity, -Infinity];
       for (const line of lines) {
         for (let i = 0; i < line[which].length; i += 1) {
           low = Math.min(low, line[which][i]);
           high = Math.max(high, line[which][i]);
+        }
+      }
+      if (which === 'y') {
+        for (let i = 0; i < (band?.x.length ?? 0); i += 1) {
+          low = Math.min(low, band!.mean[i] - WIDTHS[0] * band!.deviation[i]);
+          high = Math.max(high, band!.mean[i] + WIDTHS[0] * band!.deviation[i]);
         }
       }
       if (high - low < 1e-9) return [low - 1, high + 1];
@@ -97,6 +124,11 @@ export function makeChart(label: string): Chart {
       text.textContent = String(value).replace('-', '−');
       return text;
     };
+    if (band) {
+      const edge = (way: number): string[] => Array.from(band.x, (at, i) => `${px(at).toFixed(1)} ${py(band.mean[i] + way * band.deviation[i]).toFixed(1)}`);
+      for (const wide of WIDTHS) picture.append(svg('path', { class: 'band', d: `M${[...edge(wide), ...edge(-wide).reverse()].join('L')}Z` }));
+      picture.append(svg('path', { class: 'mean', d: `M${edge(0).join('L')}` }));
+    }
     for (const tick of ticks(x0, x1, width / 70)) {
       picture.append(svg('path', { class: 'grid', d: `M${px(tick)} ${TOP}V${HEIGHT - BOTTOM}` }), write(px(tick), HEIGHT - 5, 'middle', tick));
     }
@@ -132,8 +164,8 @@ export function makeChart(label: string): Chart {
   new ResizeObserver(draw).observe(element);
   return {
     element,
-    draw(lines, units, path) {
-      [drawn, last] = [{ lines, units, path }, []];
+    draw(lines, units, path, band = null) {
+      [drawn, last] = [{ lines, units, path, band }, []];
       draw();
     },
     mark(places) {

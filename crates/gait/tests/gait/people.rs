@@ -1,7 +1,7 @@
 //! Walks beside people.
 
 use solaris_gait::determinants::Determinants;
-use solaris_gait::people::{Compared, FACTS, table};
+use solaris_gait::people::{Compared, FACTS, compare, curve_table, table};
 use solaris_gait::{TEXTBOOK_BANDS, check_bands};
 use solaris_model::human;
 
@@ -42,10 +42,32 @@ fn steady_strides_keep_textbooks_ranges() {
     }
 }
 
+/// A person's own pace beside the curves of people at it: angles and forces of the ground, which do not grow with the leg. The knee's and the
+/// hip's bend as theirs, by the sign and the phase.
+#[test]
+fn curves_of_a_stride_are_those_of_people() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let compared = Compared::of(&figure, Determinants::Five, 110.0);
+    assert_eq!(compared.curves.len(), 15);
+    for beside in compared.curves.iter().filter(|beside| ["°", "%BW"].contains(&beside.people.unit)) {
+        let (name, inside) = (beside.people.name, beside.within(2.0));
+        assert!(inside > 0.7, "{name}: {inside} of the stride");
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let (ours, theirs) = (mean(&beside.values), mean(&beside.people.mean));
+        let product =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - ours) * (b - theirs)).sum::<f64>();
+        let alike = product(&beside.values, &beside.people.mean);
+        assert!(alike > 0.0, "{name} goes the other way: {alike}");
+    }
+    let table = curve_table(&[compared]);
+    assert_eq!(table.rows.len(), 15);
+}
+
 #[test]
 fn a_refused_walk_is_a_column_of_dashes_with_its_reason() {
     let figure = human(1.75, 73.0).expect("a person");
-    let table = table(&figure, Determinants::Five, &[140.0]);
+    let compared = compare(&figure, Determinants::Five, &[140.0]);
+    let table = table(Determinants::Five, &compared);
     assert!(table.rows[..FACTS.len()].iter().all(|row| row[4].computed == "–"));
     assert!(table.notes.iter().any(|note| note.starts_with("140 steps/min is refused: step frequency 140")));
 }
