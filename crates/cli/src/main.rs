@@ -9,6 +9,8 @@ mod convert;
 mod crowd;
 mod cycles;
 mod doctor;
+#[cfg(target_os = "linux")]
+mod elementary;
 mod error;
 mod figure;
 mod findings;
