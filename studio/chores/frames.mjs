@@ -1,8 +1,8 @@
 // How long frames take while somebody is steered.
 //
-//     node chores/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE]
+//     node chores/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE] [--push]
 //
-// Walks in a curve by keys that are held, and prints frames a second, the times between frames after the first second, the page's own work and the engine's
+// Walks in a curve by keys that are held, pulled aside all the while with --push, and prints frames a second, the times between frames after the first second, the page's own work and the engine's
 // answers, and what the picture cost in the process that draws. Where other programs share the processors compare ratios, and that cost.
 
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -10,7 +10,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 
-const { values } = parseArgs({ options: { seconds: { type: 'string', default: '60' }, size: { type: 'string', default: '1400x860' }, page: { type: 'string' } } });
+const { values } = parseArgs({ options: { seconds: { type: 'string', default: '60' }, size: { type: 'string', default: '1400x860' }, page: { type: 'string' }, push: { type: 'boolean' } } });
 const file = values.page ?? fileURLToPath(new URL('../dist/studio.html', import.meta.url));
 const [width, height] = values.size.split('x').map(Number);
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
@@ -49,6 +49,14 @@ await page.waitForFunction(() => document.querySelector('.steer-out output')?.te
 const drawer = drawing(server.process().pid);
 await page.keyboard.down('w');
 await page.keyboard.down('a');
+if (values.push) {
+  const box = await page.locator('#picture canvas').first().boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y, { steps: 4 });
+}
 await page.waitForTimeout(1000);
 const before = drawer && computed(drawer);
 const found = await page.evaluate(async (seconds) => {
