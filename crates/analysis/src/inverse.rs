@@ -64,7 +64,8 @@ pub struct DofLoad {
 
 /// What must act on the whole figure besides gravity and the given forces, in magnitude.
 ///
-/// Zero would say that motion, masses and measured forces agree; what is left over is the error of one of them.
+/// Zero would say that motion, masses and measured forces agree; what is left over is the error of one of them. It is the whole wrench: of a root
+/// that is held in a plane, or that slides and turns in fewer ways than six, what holds it there is in it too, which is no degree of freedom's force.
 ///
 /// With the feature `serde` its keys are `force_rms_n`, `force_greatest_n`, `force_at_s`, and with `moment` and `nm` the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -27,6 +27,8 @@ const UNIT: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     pub(crate) poses: Vec<Pose<T>>,
+    /// Whether anything has placed the links yet: [`inverse_dynamics`](crate::inverse_dynamics) does without.
+    pub(crate) placed: bool,
     pub(crate) twists: Vec<Twist<T>>,
     /// Acceleration of each link's origin and angular acceleration, in world axes.
     pub(crate) accelerations: Vec<Twist<T>>,
@@ -132,6 +134,7 @@ impl<T: Scalar> Workspace<T> {
         };
         Self {
             poses: vec![Pose::identity(); links],
+            placed: false,
             twists: vec![Twist::zero(); links],
             accelerations: vec![Twist::zero(); links],
             moved: vec![(T::zero(), T::one()); tree.nq() + 1],
@@ -168,11 +171,12 @@ impl<T: Scalar> Workspace<T> {
     ///
     /// # Panics
     ///
-    /// Where the tree has no such link.
+    /// Where the tree has no such link, or nothing has placed the links yet.
     #[doc(alias = "oMi")]
     #[doc(alias = "oMf")]
     #[doc(alias = "transform")]
     pub fn pose(&self, link: usize) -> &Pose<T> {
+        assert!(self.placed, "nothing has placed the links of this workspace; ask forward_kinematics first");
         &self.poses[link]
     }
 

@@ -2,6 +2,9 @@
 
 use solaris::gait::{FRICTION, InBetween, IsolatedPeak, Peak, StyledPlan, WalkMeasures};
 
+/// From which on a knee that bends backward is worth a word (rad): half a degree; people's straighten by more.
+const HYPEREXTENDED: f64 = 0.009;
+
 /// What is known to be wrong with a walk of a body of some weight (N).
 pub(super) fn notes(
     plan: &StyledPlan,
@@ -43,7 +46,7 @@ pub(super) fn notes(
         );
     }
     let step_frequency = plan.style().step_frequency;
-    if measures.extremes.least_knee.value < 0.0 {
+    if measures.extremes.least_knee.value < -HYPEREXTENDED {
         notes.push(format!(
             "a knee is hyperextended by {:.1}° at {:.2} s",
             -measures.extremes.least_knee.value.to_degrees(),

@@ -69,9 +69,9 @@ impl<T: Scalar> Frame<T> {
     ///
     /// # Panics
     ///
-    /// Where the tree has no such link; so the others.
+    /// Where the tree has no such link; so the others. Here also where nothing has placed the links yet.
     pub fn pose(&self, workspace: &Workspace<T>) -> Pose<T> {
-        workspace.poses[self.link].then(&self.placement)
+        workspace.pose(self.link).then(&self.placement)
     }
 
     /// The velocity of the frame, in world axes, since the last operation that is said to find the links' velocities.

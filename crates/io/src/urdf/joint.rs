@@ -105,7 +105,8 @@ fn limits(reader: &mut Reader, node: Node, name: &str, kind: Kind) -> (Option<Li
         reader.check_attributes(limit, &[]);
         return (None, span);
     }
-    reader.check_attributes(limit, &["lower", "upper"]);
+    // A motor's: `actuators` reads what it can give.
+    reader.check_attributes_but(limit, &["lower", "upper"], &["effort", "velocity"]);
     let (lower, upper) = (reader.number(limit, "lower"), reader.number(limit, "upper"));
     if limit.attribute("lower").is_none() && limit.attribute("upper").is_none() {
         let message =
