@@ -30,7 +30,8 @@ cargo lab CHORE
   docs [--check]                    writes the tables of walks in docs/walking.md and docs/people.md, or says which are out of date
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
-                                    or measures the numbers that ship; --recipe: begins with the recipe's
+      [--curves]                    or measures the numbers that ship; --recipe: begins with the recipe's; --curves: people's curves
+                                    over a stride are targets too
   gaits [--walks N]                 walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
                                     and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone
   live                              times the frames of a walker that is steered into docs/live.md, and draws docs/strips/live.svg

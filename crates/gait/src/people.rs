@@ -4,7 +4,7 @@ mod beside;
 mod curves;
 mod facts;
 
-pub use beside::Beside;
+pub use beside::{Beside, beside};
 pub use curves::{Curve, PACES, PHASES, Pace, curves, nearest_pace};
 pub use facts::{FACTS, Fact, Person};
 
@@ -50,7 +50,7 @@ impl Compared {
             let (motion, _) = plan.loaded(figure, RATE)?;
             let steady = measure(figure, &motion)?.steady;
             let steady = steady.ok_or(MeasureError::NothingToMeasure { what: "steady stride" })?;
-            let curves = beside::beside(figure, &motion, &steady);
+            let curves = beside(figure, &motion, &steady);
             Ok((steady, curves))
         };
         let person = Person { height: figure.stature().unwrap_or(f64::NAN), step_frequency };

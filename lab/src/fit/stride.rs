@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use solaris_analysis::{Support, SupportLaw, balance_momentum, ground_reactions};
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
-use solaris_gait::people::{FACTS, Fact, Person};
+use solaris_gait::people::{Beside, FACTS, Fact, Person, beside};
 use solaris_gait::{
     FEET, LegGeometry, Resolution, SteadyStride, StridePlan, Style, StyleTable, TEXTBOOK_BANDS, WALK_RATIO,
     check_bands, free_moment, measure_stride,
@@ -135,6 +135,8 @@ pub(crate) struct Found {
     pub(crate) inward: (f64, f64),
     /// Greatest extension of the toes while the foot stands (°).
     pub(crate) toes: f64,
+    /// Curves of the left leg beside people's.
+    pub(crate) beside: Vec<Beside>,
 }
 
 impl Found {
@@ -196,6 +198,7 @@ impl Found {
             vertical: (0..50).map(|k| vertical[k * n / 50]).collect(),
             inward: (least(&mut (0..n).filter(middle).map(inward)), most(&mut (0..n).map(inward))),
             toes: most(&mut (0..=stance).map(toes)),
+            beside: beside(figure, &motion, &steady),
             steady,
         })
     }

@@ -2,6 +2,7 @@
 
 use super::measured::Measured;
 use super::stride::{Case, Found};
+use solaris_gait::people::{Beside, PHASES};
 use solaris_gait::{Band, RECIPE_BANDS, Style, StyleTable, TEXTBOOK_BANDS};
 
 /// Heights of the fit's person (m), step frequencies with their weights, and the same for steps a tenth shorter and longer.
@@ -41,17 +42,21 @@ const MEASURED: f64 = 18.0;
 const STRETCHED: [(f64, f64); 4] = [(76.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
 /// The longest of the fast steps that are taken, with its stretch and weight.
 const FASTEST: (f64, f64, f64) = (122.0, 1.08, 0.5);
+/// Weight of each of people's curves, beside a band.
+const CURVES: f64 = 3.0;
 /// A stride of the fit.
 pub(crate) struct Stride {
     case: Case,
     weight: f64,
     measured: Option<Measured>,
+    /// Whether people's curves are targets.
+    curves: bool,
     /// What the recipe's numbers come to.
     recipe: Found,
 }
 
 /// All strides of the fit.
-pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Stride>, String> {
+pub(crate) fn targets(recipe: &StyleTable, curves: bool) -> Result<Vec<Stride>, String> {
     let normal = NORMAL.map(|(frequency, weight)| (frequency, 1.0, weight)).into_iter();
     let stretched = STRETCHED
         .iter()
@@ -63,13 +68,13 @@ pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Stride>, String> {
     for (height, frequency, stretch, weight) in own.chain(others) {
         let case = Case::new(height, frequency, stretch)?;
         let recipe = Found::of(&case, recipe)?;
-        strides.push(Stride { case, weight, measured: None, recipe });
+        strides.push(Stride { case, weight, measured: None, curves, recipe });
     }
     if let Some(measured) = Measured::read()? {
         let case = measured.case.clone();
         let recipe = Found::of(&case, recipe)?;
         let (weight, measured) = (MEASURED, Some(measured));
-        strides.push(Stride { case, weight, measured, recipe });
+        strides.push(Stride { case, weight, measured, curves, recipe });
     }
     Ok(strides)
 }
@@ -190,6 +195,9 @@ impl Stride {
         all.extend(others.map(|residual| huber(residual, 2.0)));
         all.extend(self.bounds(&self.case.style(table)));
         all.extend(found.curves.iter().zip(&self.recipe.curves).map(|(now, before)| (now - before) / 30.0));
+        if self.curves {
+            all.extend(found.beside.iter().flat_map(beside_people));
+        }
         Ok(all.into_iter().map(|residual| root * residual).collect())
     }
 
@@ -233,6 +241,24 @@ impl Stride {
         let ball = above(0.735, style.cop_heel_off, 4e-3);
         angles.into_iter().chain(widths).chain(order).chain([ball]).collect()
     }
+}
+
+/// What people's curves of a stride ask for, in one and a half of their deviations: angles and forces, as moments grow with the leg. Hip and tilt are told
+/// against another plane, so that only their shapes count.
+fn beside_people(Beside { people, values }: &Beside) -> Vec<f64> {
+    if !["°", "%BW"].contains(&people.unit) {
+        return Vec::new();
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let shape_only = ["Hip flexion", "Pelvis tilt"].contains(&people.name);
+    let level = if shape_only { mean(&values[1..]) - mean(&people.mean[1..]) } else { 0.0 };
+    let least = if people.unit == "°" { 2.0 } else { 2.5 };
+    let part = (CURVES / PHASES as f64).sqrt();
+    let each = values.iter().zip(&people.mean).zip(&people.deviation);
+    each.map(|((value, mean), deviation)| {
+        part * huber((value - level - mean) / (1.5 * deviation.max(least)), 2.0)
+    })
+    .collect()
 }
 
 /// People who walk slowly rise less than the band says, and press less.

@@ -35,8 +35,8 @@ impl Beside {
     }
 }
 
-/// A steady stride beside people's curves at its pace; without those that the figure or its motion lacks.
-pub(super) fn beside(figure: &Figure, motion: &Motion, stride: &SteadyStride) -> Vec<Beside> {
+/// A steady stride of the left leg, as [`crate::measure()`] finds it, beside people's curves at its pace; without those that the figure or its motion lacks.
+pub fn beside(figure: &Figure, motion: &Motion, stride: &SteadyStride) -> Vec<Beside> {
     let Ok(leg) = LegGeometry::of(figure) else { return Vec::new() };
     let gravity = motion.info.gravity.norm();
     let pace = nearest_pace(stride.speed / (gravity * (leg.length() + leg.ankle_height)).sqrt());
