@@ -40,7 +40,7 @@ mod _solaris {
     #[pymodule_export]
     use crate::subject::{Subject, scale};
     #[pymodule_export]
-    use crate::walk::{Walk, manners, run_gait, style_parameters, walk};
+    use crate::walk::{Walk, manners, people_curves, run_gait, style_parameters, walk};
     #[pymodule_export]
     use crate::walker::Walker;
 }

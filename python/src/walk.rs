@@ -5,10 +5,11 @@ use crate::errors::{self, value};
 use crate::figure::{Figure, human};
 use crate::motion::Motion;
 use crate::report::dictionary;
-use numpy::PyUntypedArrayMethods;
+use numpy::{PyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::Value;
+use solaris::gait::people::{PACES, curves};
 use solaris::gait::{
     GaitError, GaitKind, GaitOptions, MANNERS, PARAMETERS, PartOptions, Repeats, SIDE_MANNERS, ShippedManner,
     StairOptions, StyledPlan,
@@ -198,6 +199,31 @@ pub(crate) fn style_parameters(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
 pub(crate) fn manners() -> (Vec<&'static str>, Vec<&'static str>) {
     let names = |all: &[ShippedManner]| all.iter().map(|manner| manner.name).collect();
     (names(MANNERS), names(SIDE_MANNERS))
+}
+
+/// What people do over a stride at a pace, by name: unit, mean and standard deviation at 0, 4, … 100 % from one strike of the foot to its next
+/// (Schwartz, Rozumalski and Trost 2008). Paces are "very slow", "slow", "free", "fast" and "very fast".
+///
+/// >>> import solaris
+/// >>> knee = solaris.people_curves("free")["Knee flexion"]
+/// >>> knee["unit"], knee["mean"].max().item()
+/// ('°', 59.1)
+#[pyfunction]
+#[pyo3(signature = (pace = "free"))]
+pub(crate) fn people_curves<'py>(py: Python<'py>, pace: &str) -> PyResult<Bound<'py, PyDict>> {
+    let Some(known) = PACES.iter().find(|known| known.name == pace) else {
+        let names = PACES.map(|known| format!("'{}'", known.name)).join(", ");
+        return Err(value(format!("pace is '{pace}'; it must be one of {names}")));
+    };
+    let all = PyDict::new(py);
+    for curve in curves(known) {
+        let one = PyDict::new(py);
+        one.set_item("unit", curve.unit)?;
+        one.set_item("mean", PyArray1::from_slice(py, &curve.mean))?;
+        one.set_item("deviation", PyArray1::from_slice(py, &curve.deviation))?;
+        all.set_item(curve.name, one)?;
+    }
+    Ok(all)
 }
 
 /// Where a stride that repeats itself goes.

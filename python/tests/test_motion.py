@@ -247,3 +247,14 @@ def test_a_model_is_scaled_to_markers(tmp_path):
     ):
         with pytest.raises(ValueError):
             refused()
+
+
+def test_people_bear_their_weight_at_every_pace_and_other_paces_are_named():
+    for pace in ("very slow", "slow", "free", "fast", "very fast"):
+        curves = solaris.people_curves(pace)
+        force = curves["Vertical force"]["mean"]
+        assert len(curves) == 15
+        # Two feet bear the weight, and the body neither rises nor sinks over a stride.
+        assert abs(np.mean((force[1:] + force[:-1]) / 2) - 50.0) < 1.5
+    with pytest.raises(ValueError, match="pace is 'brisk'; it must be one of 'very slow', 'slow'"):
+        solaris.people_curves("brisk")

@@ -31,6 +31,7 @@ __all__ = [
     "scale",
     "Walk",
     "manners",
+    "people_curves",
     "run_gait",
     "style_parameters",
     "walk",
@@ -50,6 +51,11 @@ class _StyleParameter(TypedDict):
     help: str
     unit: str
     range: tuple[float, float]
+
+class _Curve(TypedDict):
+    unit: str
+    mean: _Array
+    deviation: _Array
 
 @final
 class Figure:
@@ -451,6 +457,7 @@ def run_gait(
 ) -> Walk: ...
 def style_parameters() -> dict[str, _StyleParameter]: ...
 def manners() -> tuple[list[str], list[str]]: ...
+def people_curves(pace: Literal["very slow", "slow", "free", "fast", "very fast"] = "free") -> dict[str, _Curve]: ...
 def run(
     path: Optional[_Path] = None,
     *,
