@@ -34,6 +34,8 @@ fn frames(report: &Report) -> String {
     }
 }
 
+const RUN_TIME: &str = "run time";
+
 /// Label, value and note.
 fn rows(report: &Report) -> Vec<[String; 3]> {
     let row = |label: &str, value: String, note: &str| [label.to_owned(), value, note.to_owned()];
@@ -66,7 +68,7 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
         rows.push(row("evaluations", counts.evaluations.to_string(), &note));
     }
     if let Some(seconds) = seconds {
-        rows.push(row("run time", format!("{} ms", digits(1e3 * seconds)), "with all that was tried"));
+        rows.push(row(RUN_TIME, format!("{} ms", digits(1e3 * seconds)), "with all that was tried"));
     }
     if run.energy.scale > 0.0 {
         rows.extend(energy::rows(&run.energy));
@@ -95,12 +97,13 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
 
 /// The rows for the page.
 pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
-    // Where values stand in a column, a sentence goes with the notes.
+    // Where values stand in a column, a sentence goes with the notes. How long it took no page says: the same scene is the same page.
     let row = |[label, value, note]: &[String; 3]| match label.as_str() {
         "because" => TableRow::new(label, "", "", value),
         _ => TableRow::new(label, value, "", note),
     };
-    let mut all: Vec<TableRow> = rows(report).iter().map(row).collect();
+    let timeless = rows(report).into_iter().filter(|[label, ..]| label != RUN_TIME);
+    let mut all: Vec<TableRow> = timeless.map(|each| row(&each)).collect();
     all.extend(outcomes::lines(&report.run.outcomes).iter().map(|line| TableRow::new("drive", "", "", line)));
     all.extend(
         outcomes::hits(&report.run.impacts).iter().take(MANY).map(|hit| TableRow::new("impact", "", "", hit)),

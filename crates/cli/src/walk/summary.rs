@@ -92,7 +92,9 @@ pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> S
             let _ = writeln!(text, "  {verdict:<9}{}", wrapped(&names, 11, WIDTH));
         }
     }
-    let _ = write!(text, "\nHow far to trust it\n\n{}", lines(&trust_rows(report)));
+    let mut trust = trust_rows(report);
+    trust.push(time_row(report));
+    let _ = write!(text, "\nHow far to trust it\n\n{}", lines(&trust));
     for note in &report.notes {
         let _ = writeln!(text, "\nnote: {note}");
     }
@@ -258,7 +260,7 @@ fn steady_rows(report: &Report) -> Vec<Row> {
 
 /// What the forces rest on and what the run cost.
 fn trust_rows(report: &Report) -> Vec<Row> {
-    let (forces, time) = (&report.forces.found, &report.run_time);
+    let forces = &report.forces.found;
     let mut rows = Vec::new();
     if let Some(off) = forces.from_prescribed() {
         rows.push(row(
@@ -281,9 +283,14 @@ fn trust_rows(report: &Report) -> Vec<Row> {
         rows.push(row("least force on a foot", fixed(pull.percent, 0), "%BW", note));
     }
     rows.extend(forces.split().map(|split| row("double support", split, "", "split: an assumption, no law")));
-    let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
-    rows.push(row("run time", format!("{plan} + {rest}"), "ms", "plan + forces"));
     rows
+}
+
+/// How long it took, which no page says: the same walk is the same page.
+fn time_row(report: &Report) -> Row {
+    let time = &report.run_time;
+    let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
+    row("run time", format!("{plan} + {rest}"), "ms", "plan + forces")
 }
 
 fn heading(list: &BandReport) -> &'static str {

@@ -1,5 +1,6 @@
 //! The program, as people run it.
 
+mod again;
 mod alone;
 mod book;
 mod disk_full;
