@@ -28,19 +28,27 @@ pub(crate) struct Options {
     measure_only: bool,
     from_recipe: bool,
     in_stages: bool,
-    /// Whether people's curves are targets too.
-    curves: bool,
+    beside: Beside,
+}
+
+/// What strides are held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beside {
+    Bands,
+    /// People's curves over a stride, too.
+    BandsAndCurves,
 }
 
 impl Options {
     pub(crate) fn parse(options: &[&str]) -> Result<Self, String> {
-        let mut parsed = Self { measure_only: false, from_recipe: false, in_stages: false, curves: false };
+        let mut parsed =
+            Self { measure_only: false, from_recipe: false, in_stages: false, beside: Beside::Bands };
         for option in options {
             match *option {
                 "--measure" => parsed.measure_only = true,
                 "--stages" => parsed.in_stages = true,
                 "--recipe" => parsed.from_recipe = true,
-                "--curves" => parsed.curves = true,
+                "--curves" => parsed.beside = Beside::BandsAndCurves,
                 other => {
                     return Err(format!(
                         "fit: unknown option '{other}'; there are --measure, --recipe, --stages and --curves"
@@ -61,7 +69,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     let mut table = if options.from_recipe { recipe()? } else { StyleTable::default() };
     if !options.measure_only {
         let recipe = recipe()?;
-        let targets = targets::targets(&recipe, options.curves)?;
+        let targets = targets::targets(&recipe, options.beside)?;
         // What plates see of a stance changes all of it: the force from which on they do comes to be by and by.
         for &part in options.stages() {
             table.footfall.threshold = part * Footfall::PEOPLE.threshold;

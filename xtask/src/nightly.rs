@@ -1,5 +1,5 @@
-//! The chore for what is too long for every `cargo test`: ignored tests, the feature `stiff`, which takes two minutes to build, and
-//! fuzzing.
+//! The chore for what is too long for every `cargo test`: ignored tests, the feature `stiff`, which takes two minutes to build, the C
+//! interface under a sanitizer, and fuzzing.
 
 use crate::fuzz;
 use crate::workspace::{self, cargo};
@@ -43,6 +43,20 @@ const STEPS: [(&str, &[&str]); 3] = [
     ),
 ];
 
+/// Tests of the C interface, with its programs in C and C++, under the sanitizer of addresses: the library and they are watched by the same one.
+fn addresses() -> Result<(), String> {
+    if std::env::consts::OS != "linux" {
+        println!("skipped: the sanitizer is tried on Linux only");
+        return Ok(());
+    }
+    // With a target that is named, what runs while building is not watched. The compiler is the one that ships: it has the sanitizer, and hides it.
+    let target = format!("{}-unknown-linux-gnu", std::env::consts::ARCH);
+    let mut tests = cargo();
+    tests.args(["test", "--package", "solaris-ffi", "--tests", "--target", &target]);
+    tests.args(["--target-dir", "target/watched"]);
+    workspace::run(tests.env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", "-Zsanitizer=address"))
+}
+
 /// Runs all steps, whatever becomes of each; an error names those that failed.
 pub(crate) fn run() -> Result<(), String> {
     let mut failed = Vec::new();
@@ -57,6 +71,7 @@ pub(crate) fn run() -> Result<(), String> {
         println!("{name}: cargo {}", arguments.join(" "));
         step(name, &|| workspace::run(cargo().args(arguments)));
     }
+    step("the C interface, every address watched", &addresses);
     step("fuzzing", &|| fuzz::run(&fuzz::Options::default()));
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
 }

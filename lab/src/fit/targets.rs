@@ -56,7 +56,7 @@ pub(crate) struct Stride {
 }
 
 /// All strides of the fit.
-pub(crate) fn targets(recipe: &StyleTable, curves: bool) -> Result<Vec<Stride>, String> {
+pub(crate) fn targets(recipe: &StyleTable, beside: super::Beside) -> Result<Vec<Stride>, String> {
     let normal = NORMAL.map(|(frequency, weight)| (frequency, 1.0, weight)).into_iter();
     let stretched = STRETCHED
         .iter()
@@ -64,6 +64,7 @@ pub(crate) fn targets(recipe: &StyleTable, curves: bool) -> Result<Vec<Stride>, 
     let own = normal.chain(stretched).chain([FASTEST]);
     let own = own.map(|(frequency, stretch, weight)| (HEIGHT, frequency, stretch, weight));
     let others = OTHERS.iter().map(|&(height, frequency, weight)| (height, frequency, 1.0, weight));
+    let curves = beside == super::Beside::BandsAndCurves;
     let mut strides = Vec::new();
     for (height, frequency, stretch, weight) in own.chain(others) {
         let case = Case::new(height, frequency, stretch)?;
