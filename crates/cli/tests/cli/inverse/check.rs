@@ -80,7 +80,7 @@ fn what_follows_and_what_is_not_read_is_listed() {
     let arm = facts("arm.urdf");
     let effort = arm["findings"].as_array().expect("a list").iter().find(|finding| {
         finding["kind"] == "unsupported"
-            && finding["subject"].as_str().is_some_and(|of| of.contains("effort"))
+            && finding["message"].as_str().is_some_and(|message| message.contains("'effort'"))
     });
     let text = read(&folder.path().join("arm.urdf"));
     let line = number(effort.expect("efforts are not read"), "/line");
