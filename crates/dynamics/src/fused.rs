@@ -141,9 +141,9 @@ impl<T: Scalar> Workspace<T> {
     ///
     /// # Panics
     ///
-    /// Where the tree has no such link, or nothing has placed the links yet.
+    /// Where the tree has no such link.
     pub fn pose_of(&self, place: &LinkPlace) -> Pose<T> {
-        let (pose, at) = (self.pose(place.link), &place.placement);
+        let (pose, at) = (&self.poses[place.link], &place.placement);
         let turn = at.rotation.to_rotation_matrix().matrix().map(T::from_f64);
         Pose {
             rotation: pose.rotation * turn,

@@ -147,7 +147,6 @@ pub(crate) fn place_links<T: Scalar>(
         finite &= is_finite(&translation);
         ws.poses[i] = Pose { rotation, translation };
     }
-    ws.placed = true;
     overflow(finite, "the position of a link", || {
         ws.poses.iter().map(|pose| format!("{:?}", pose.translation))
     })

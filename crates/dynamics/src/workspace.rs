@@ -27,8 +27,6 @@ const UNIT: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     pub(crate) poses: Vec<Pose<T>>,
-    /// Whether anything has placed the links yet: [`inverse_dynamics`](crate::inverse_dynamics) does without.
-    pub(crate) placed: bool,
     pub(crate) twists: Vec<Twist<T>>,
     /// Acceleration of each link's origin and angular acceleration, in world axes.
     pub(crate) accelerations: Vec<Twist<T>>,
@@ -134,7 +132,6 @@ impl<T: Scalar> Workspace<T> {
         };
         Self {
             poses: vec![Pose::identity(); links],
-            placed: false,
             twists: vec![Twist::zero(); links],
             accelerations: vec![Twist::zero(); links],
             moved: vec![(T::zero(), T::one()); tree.nq() + 1],
@@ -171,12 +168,11 @@ impl<T: Scalar> Workspace<T> {
     ///
     /// # Panics
     ///
-    /// Where the tree has no such link, or nothing has placed the links yet.
+    /// Where the tree has no such link.
     #[doc(alias = "oMi")]
     #[doc(alias = "oMf")]
     #[doc(alias = "transform")]
     pub fn pose(&self, link: usize) -> &Pose<T> {
-        assert!(self.placed, "nothing has placed the links of this workspace; ask forward_kinematics first");
         &self.poses[link]
     }
 

@@ -69,9 +69,9 @@ impl<T: Scalar> Frame<T> {
     ///
     /// # Panics
     ///
-    /// Where the tree has no such link; so the others. Here also where nothing has placed the links yet.
+    /// Where the tree has no such link; so the others.
     pub fn pose(&self, workspace: &Workspace<T>) -> Pose<T> {
-        workspace.pose(self.link).then(&self.placement)
+        workspace.poses[self.link].then(&self.placement)
     }
 
     /// The velocity of the frame, in world axes, since the last operation that is said to find the links' velocities.

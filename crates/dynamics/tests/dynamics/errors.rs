@@ -37,15 +37,6 @@ fn a_value_that_is_not_finite_is_named() {
     );
 }
 
-/// Inverse dynamics places no links: a pose that nothing has found is no pose.
-#[test]
-#[should_panic(expected = "nothing has placed the links of this workspace; ask forward_kinematics first")]
-fn a_pose_before_the_links_are_placed_is_refused() {
-    let mut kernel = kernel();
-    kernel.inverse(&[0.5, 0.0], &[0.0; 2], &[0.0; 2], &[]).expect("a state");
-    kernel.workspace.pose(0);
-}
-
 #[test]
 fn a_wrong_length_is_named() {
     let message = kernel().inverse(&[0.0, 0.0], &[0.0], &[0.0, 0.0], &[]).expect_err("refused").to_string();
