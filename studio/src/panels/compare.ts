@@ -12,6 +12,8 @@ import { three, view, type Data, type Frame } from '../view.ts';
 
 // How far beside the other one stands, in sizes of the figure.
 const BESIDE = 0.7;
+// The fastest pace that people's curves are of, over the root of gravity times the leg, and half a pace: who is faster runs.
+const FASTEST = 0.76;
 const DISTANCE = 'Distance of the two points';
 const ACROSS: [string, string][] = [['time', 'time'], ['share', 'percent of the motion'], ['stride', 'percent of a stride']];
 
@@ -132,7 +134,7 @@ export function makeComparePanel(app: App): void {
   function band([one]: Drawn[]): ChartBand | null {
     const { stride: of } = one ?? {};
     const side = sides.get(y.value) ?? 'middle';
-    if (!of || of.speed === null || !behind.checked || of.side !== (side === 'middle' ? 'left' : side)) return null;
+    if (!of || of.speed === null || of.speed > FASTEST || !behind.checked || of.side !== (side === 'middle' ? 'left' : side)) return null;
     if (people?.speed !== of.speed) ask(of.speed);
     const plain = y.value.replace(/, (left|right)/, '');
     // OpenSim's pelvis turns the other way round, and some of its knees.

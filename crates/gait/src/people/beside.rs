@@ -35,9 +35,13 @@ impl Beside {
     }
 }
 
-/// A steady stride of the left leg, as [`crate::measure()`] finds it, beside people's curves at its pace; without those that the figure or its motion lacks.
+/// A steady stride of the left leg, as [`crate::measure()`] finds it, beside people's curves at its pace; without those that the figure or its motion lacks. Backward it is
+/// beside none: people's are of walking forward.
 pub fn beside(figure: &Figure, motion: &Motion, stride: &SteadyStride) -> Vec<Beside> {
     let Ok(leg) = LegGeometry::of(figure) else { return Vec::new() };
+    if stride.backward {
+        return Vec::new();
+    }
     let gravity = motion.info.gravity.norm();
     let pace = nearest_pace(stride.speed / (gravity * (leg.length() + leg.ankle_height)).sqrt());
     let window = Window { time: motion.time(), span: stride.span };
