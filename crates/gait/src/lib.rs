@@ -61,10 +61,10 @@ pub use request::{
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{
-    FRICTION, Footfall, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS,
-    SLOPES, STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style, StyleTable, Toes,
-    Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of, side_sheet_of,
-    step_length_on_slope, walk, walk_in_part,
+    FRICTION, Footfall, LONGEST_STAND, List, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS,
+    SIDE_MANNERS, SLOPES, STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style,
+    StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of,
+    side_sheet_of, step_length_on_slope, walk, walk_in_part,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

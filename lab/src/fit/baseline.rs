@@ -9,11 +9,14 @@ use solaris_gait::{StyleTable, TEXTBOOK_BANDS, check_bands};
 const HEIGHTS: [f64; 4] = [1.5, 1.6, 1.75, 1.9];
 const STRETCHES: [f64; 3] = [0.9, 1.0, 1.1];
 const STEPS: [usize; 5] = [1, 2, 3, 4, 10];
+/// Step frequencies at which curves are printed.
+const BESIDE: [f64; 3] = [95.0, 110.0, 120.0];
 const FAST: [f64; 3] = [120.0, 125.0, 130.0];
 
 /// Prints steady strides of all bodies and speeds, then whole walks that ship.
 pub(crate) fn print(table: &StyleTable) -> Result<(), String> {
     measured(table)?;
+    curves(table)?;
     strides(table)?;
     walks()
 }
@@ -34,6 +37,30 @@ fn measured(table: &StyleTable) -> Result<(), String> {
     for (ours, theirs) in found.curves.chunks(20).zip(measured.curves.chunks(20)) {
         let row = |values: &[f64]| values.iter().map(|x| format!("{x:5.0}")).collect::<Vec<_>>().concat();
         println!("{}\n{}", row(ours), row(theirs));
+    }
+    Ok(())
+}
+
+/// Prints curves of a stride, people's at its pace, and people's deviations, every 4 % of it.
+fn curves(table: &StyleTable) -> Result<(), String> {
+    for frequency in BESIDE {
+        println!("at {frequency} steps/min: ours, people's mean and deviation over a stride");
+        for curve in stride::Found::of(&Case::new(1.75, frequency, 1.0)?, table)?.beside {
+            let people = &curve.people;
+            let digits = usize::from(people.unit != "°") + usize::from(people.unit.contains("/kg"));
+            println!(
+                "{} ({}): apart {:.2}, within two deviations {:.0} %",
+                people.name,
+                people.unit,
+                curve.difference(),
+                100.0 * curve.within(2.0)
+            );
+            for values in [&curve.values, &people.mean, &people.deviation] {
+                let row = values.iter().map(|x| format!("{x:6.digits$}")).collect::<Vec<_>>().concat();
+                println!("{row}");
+            }
+        }
+        println!();
     }
     Ok(())
 }

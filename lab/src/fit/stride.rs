@@ -16,6 +16,11 @@ const LATE_SWING: (f64, f64) = (0.07, 0.93);
 /// Mid-stance, in which the force to the side is looked at (u).
 const LATERAL: (f64, f64) = (0.20, 0.42);
 
+/// Height of a heel (m) from which on the foot is pressed on its ball, and how far behind that is round (m): somewhat less than where
+/// [`solaris_gait::measure()`] finds the pressure outside of the sole.
+const HEEL_RISEN: f64 = 0.8e-3;
+const ROUND: f64 = 0.002;
+
 /// Parts of a stride in which the vertical force has its first peak, and in which it is lower (u).
 const FIRST_PEAK: (f64, f64) = (0.05, 0.21);
 const MID_STANCE: (f64, f64) = (0.25, 0.36);
@@ -135,6 +140,8 @@ pub(crate) struct Found {
     pub(crate) inward: (f64, f64),
     /// Greatest extension of the toes while the foot stands (°).
     pub(crate) toes: f64,
+    /// How far behind its ball the foot is pressed at most as its heel leaves the ground (m).
+    pub(crate) behind_ball: f64,
     /// Curves of the left leg beside people's.
     pub(crate) beside: Vec<Beside>,
 }
@@ -198,6 +205,7 @@ impl Found {
             vertical: (0..50).map(|k| vertical[k * n / 50]).collect(),
             inward: (least(&mut (0..n).filter(middle).map(inward)), most(&mut (0..n).map(inward))),
             toes: most(&mut (0..=stance).map(toes)),
+            behind_ball: most(&mut (0..n).map(|i| behind_ball(case, &walk.0, i))),
             beside: beside(figure, &motion, &steady),
             steady,
         })
@@ -232,6 +240,19 @@ fn measured(case: &Case, walk: &Endless) -> Result<(SteadyStride, Motion), Box<d
         .collect();
     ground_reactions(figure, &mut motion, FEET, walk)?;
     Ok((measure_stride(figure, &motion)?, motion))
+}
+
+/// How far behind its ball, but for what is round there, the left foot is pressed as its heel leaves the ground (m).
+fn behind_ball(case: &Case, stride: &StridePlan, node: usize) -> f64 {
+    let (foot, yaw) = (&case.leg, stride.style().foot_yaw);
+    let u = node as f64 / stride.node_count() as f64;
+    let [support, _] = stride.support(node);
+    if u > stride.style().toe_off() || support.share <= 0.0 {
+        return 0.0;
+    }
+    let ball = foot.foot_length() - foot.toe;
+    let heel = ball * stride.foot_pitches(u)[0].0.sin();
+    if heel > HEEL_RISEN { (ball - ROUND - support.cop.z / yaw.cos()).max(0.0) } else { 0.0 }
 }
 
 /// How long before the foot's time to be flat it is so. Where it comes to rest as its law has it, it is a little before.

@@ -7,9 +7,8 @@ use solaris_gait::{Band, RECIPE_BANDS, Style, StyleTable, TEXTBOOK_BANDS};
 
 /// Heights of the fit's person (m), step frequencies with their weights, and the same for steps a tenth shorter and longer.
 const HEIGHT: f64 = 1.75;
-const NORMAL: [(f64, f64); 13] = [
-    (70.0, 0.5),
-    (75.0, 0.8),
+const NORMAL: [(f64, f64); 12] = [
+    (75.0, 2.0),
     (80.0, 6.0),
     (85.0, 2.0),
     (90.0, 2.0),
@@ -39,9 +38,13 @@ const OTHERS: [(f64, f64, f64); 12] = [
 ];
 /// Weight of the measured person.
 const MEASURED: f64 = 18.0;
-const STRETCHED: [(f64, f64); 4] = [(76.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
+const STRETCHED: [(f64, f64); 4] = [(84.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
 /// The longest of the fast steps that are taken, with its stretch and weight.
 const FASTEST: (f64, f64, f64) = (122.0, 1.08, 0.5);
+/// Least flexion of the knee that the push is told to go through (°).
+const LEAST_PUSH: f64 = 6.0;
+/// Least place of the centre of pressure as the other foot lands (of the foot's length).
+const LEAST_AHEAD: f64 = 0.79;
 /// Weight of each of people's curves, beside a band.
 const CURVES: f64 = 3.0;
 /// A stride of the fit.
@@ -104,7 +107,7 @@ impl Stride {
 
     /// What residual `i` is about.
     pub(crate) fn name(&self, i: usize) -> String {
-        const OTHERS: [&str; 17] = [
+        const OTHERS: [&str; 18] = [
             "pitch",
             "early",
             "free moment",
@@ -119,6 +122,7 @@ impl Stride {
             "inward mid",
             "inward most",
             "toes",
+            "pressed behind",
             "F1",
             "valley",
             "F2",
@@ -136,8 +140,8 @@ impl Stride {
             "cop",
             "cop",
             "cop",
-            "ball",
-            "",
+            "push",
+            "ahead",
         ];
         let bands = textbook().count();
         if self.measured.is_some() {
@@ -175,20 +179,21 @@ impl Stride {
         }
         let mut all: Vec<f64> = textbook().map(|band| self.outside(band, &found)).collect();
         let others = [
-            found.pitch.abs(),
+            2.0 * found.pitch.abs(),
             above(found.early, 6e-3, 2e-3),
             above(found.free_moment, limit([9.5, 11.3, 16.0]), 1.6),
-            above(12.6e-3 * self.case.height / HEIGHT, found.clearance, 1e-3),
+            above(limit([12.1e-3, 6.5e-3, 2.5e-3]) * self.case.height / HEIGHT, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
             above(found.flank, limit([-4.0, -8.0, -12.0]), 1.5),
             above(3.5, found.knee, 0.7),
             above(found.friction.0, limit([0.13, 0.20, 0.27]), 0.01),
             above(found.friction.1, limit([0.19, 0.25, 0.36]), 0.01),
-            above(found.notch, 0.8, 0.3),
+            above(found.notch, limit([0.9, 2.4, 4.6]), 0.4),
             above(-1e-4, found.lowest, 1e-4),
             above(4.2, found.inward.0, 0.5),
             above(found.inward.1, 6.6, 0.5),
             above(found.toes, limit([36.0, 37.0, 42.0]), 4.0),
+            above(found.behind_ball, 0.0, 1e-3),
             (found.steady.first_peak - limit([101.5, 107.0, 119.0])) / 3.0,
             (found.steady.valley - limit([84.0, 77.0, 66.0])) / 3.0,
             (found.steady.second_peak - limit([102.0, 108.5, 117.0])) / 3.0,
@@ -235,18 +240,32 @@ impl Stride {
         ];
         let width = style.step_width * HEIGHT / self.case.height;
         let widths = [above(0.1, width, 4e-3), above(width, 0.13, 4e-3)];
-        let cop = [0.56 * style.cop_forward, style.cop_heel_off, style.cop_40, style.cop_50, 0.94];
+        let cop = [0.56 * style.cop_forward, style.cop_middle, style.cop_40, style.cop_50, 0.94];
         let angles = upper.map(|(value, most)| above(value.to_degrees(), most, 0.5));
         let order = cop.windows(2).map(|pair| above(0.004, pair[1] - pair[0], 0.004));
-        // Where the heel has risen, the foot is pressed on its ball.
-        let ball = above(0.735, style.cop_heel_off, 4e-3);
-        angles.into_iter().chain(widths).chain(order).chain([ball]).collect()
+        // Where the other foot lands it swings the pressure to and fro, which is not to come behind the ball.
+        let ahead = above(LEAST_AHEAD, style.cop_50, 4e-3);
+        // A knee that hardly bends as its heel rises passes straight where a manner bends it less.
+        let push = above(LEAST_PUSH, style.knee_push.to_degrees(), 0.4);
+        angles.into_iter().chain(widths).chain(order).chain([push, ahead]).collect()
     }
 }
 
-/// What people's curves of a stride ask for, in one and a half of their deviations: angles and forces, as moments grow with the leg. Hip and tilt are told
+/// What people's curves of a stride ask for, in one and a half of their deviations: angles and forces, and the course of the ankle's moment. Hip and tilt are told
 /// against another plane, so that only their shapes count.
 fn beside_people(Beside { people, values }: &Beside) -> Vec<f64> {
+    let part = (CURVES / PHASES as f64).sqrt();
+    if people.name == "Ankle dorsiflexion: moment" {
+        // A moment grows with the leg: where the foot is pressed shows in its way to its greatest.
+        let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let (ours, theirs) = (most(values), most(&people.mean));
+        let each = values.iter().zip(&people.mean).zip(&people.deviation);
+        return each
+            .map(|((value, mean), deviation)| {
+                part * huber((value / ours - mean / theirs) / (1.5 * (deviation / theirs).max(0.06)), 2.0)
+            })
+            .collect();
+    }
     if !["°", "%BW"].contains(&people.unit) {
         return Vec::new();
     }
@@ -254,7 +273,6 @@ fn beside_people(Beside { people, values }: &Beside) -> Vec<f64> {
     let shape_only = ["Hip flexion", "Pelvis tilt"].contains(&people.name);
     let level = if shape_only { mean(&values[1..]) - mean(&people.mean[1..]) } else { 0.0 };
     let least = if people.unit == "°" { 2.0 } else { 2.5 };
-    let part = (CURVES / PHASES as f64).sqrt();
     let each = values.iter().zip(&people.mean).zip(&people.deviation);
     each.map(|((value, mean), deviation)| {
         part * huber((value - level - mean) / (1.5 * deviation.max(least)), 2.0)

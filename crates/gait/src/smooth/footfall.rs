@@ -20,6 +20,11 @@ pub struct Footfall {
     pub threshold: f64,
     /// The part of the load share that rises and falls evenly over double support; the rest does so without a rate at its ends.
     pub even_share: f64,
+    /// Where its centre of pressure is at contact, while it comes down and as it is flat: parts of its length from the heel.
+    pub cop_landing: [f64; 3],
+    /// When the centre of pressure is at the style's `cop_middle` (u); as the heel rises for `None`, since a rigid foot is pressed on its ball from
+    /// then on. A heel rises by so little at first that the ball has some time.
+    pub cop_middle_at: Option<f64>,
     /// How far outward of the foot's axis its centre of pressure is at contact, in mid-stance and at toe-off, in parts of its length.
     pub cop_outward: [f64; 3],
     /// Over how much pitch (rad) a foot comes to be flat, or begins to rise, where the leg's law would have it go through the ground;
@@ -38,6 +43,8 @@ impl Footfall {
     pub const RECIPE: Self = Self {
         threshold: 0.0,
         even_share: 0.0,
+        cop_landing: [0.0, 0.012, 0.035],
+        cop_middle_at: None,
         cop_outward: [0.0; 3],
         softness: 0.0,
         soft_landing: None,
@@ -53,6 +60,8 @@ impl Footfall {
     pub const PEOPLE: Self = Self {
         threshold: 20.0,
         even_share: 0.7,
+        cop_landing: [0.0, 0.02, 0.06],
+        cop_middle_at: Some(0.30),
         cop_outward: [0.015, 0.07, -0.06],
         softness: 0.5 * DEGREE,
         soft_landing: Some(0.022),
@@ -125,9 +134,12 @@ impl Footfall {
 
     pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let [contact, middle, end] = self.cop_outward;
+        let [first, then, flat] = self.cop_landing;
         [
             ("threshold", self.threshold),
             ("even_share", self.even_share),
+            ("cop_landing", first + then + flat),
+            ("cop_middle_at", self.cop_middle_at.unwrap_or_default()),
             ("cop_outward", contact + middle + end),
             ("softness", self.softness),
             ("soft_landing", self.soft_landing.unwrap_or_default()),

@@ -10,11 +10,8 @@ use std::f64::consts::TAU;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Centre of pressure while the foot comes down: when, as a part of the time until it is flat, and where, as a part of the
-/// foot's length from the heel.
-const COP_LOADING: (f64, f64) = (0.6, 0.012);
-/// Where it is (parts of the foot's length) as the foot is flat.
-const COP_FLAT: f64 = 0.035;
+/// When the centre of pressure is looked at while the foot comes down, as a part of the time until it is flat.
+const COP_LOADING: f64 = 0.6;
 /// Its quick way forward: so long after the flat foot (u), and so far (parts of the foot's length, times the style's factor).
 const COP_QUICK: (f64, f64) = (0.035, 0.33);
 /// How long two places are apart at least (u).
@@ -31,8 +28,6 @@ const COP_BEFORE_END: (f64, f64) = (0.03, 0.005);
 const TILT_SWING: (f64, f64) = (1.4 * DEGREE, 0.02);
 /// When the body is over the left leg, highest and farthest to the left (u).
 const SWAY_MOST: f64 = 0.30;
-/// Third harmonic of the pelvis' obliquity over its first.
-const OBLIQUITY_THIRD: f64 = 0.3;
 /// Part of the way from the one to the other: the abdomen between pelvis and thorax, the neck between the head, which stays
 /// upright, and the thorax.
 const HALFWAY: f64 = 0.5;
@@ -72,19 +67,21 @@ pub(crate) fn cop_of(landing: &Style, style: &Style) -> Result<Clip<CubicSpline>
     if let Some(stairs) = &landing.stairs {
         keys.extend([(0.0, stairs.cop_contact), (flat, stairs.cop_flat)]);
     } else {
-        keys.extend([(0.0, 0.0), (COP_LOADING.0 * flat, COP_LOADING.1), (flat, COP_FLAT)]);
+        let [contact, loading, flat_at] = landing.footfall.cop_landing;
+        keys.extend([(0.0, contact), (COP_LOADING * flat, loading), (flat, flat_at)]);
         keys.push((flat + COP_QUICK.0, COP_QUICK.1 * forward));
     }
     let at_toe_off = |before: f64, end: f64| [(style.tip_roll_at(), before), (style.toe_off(), end)];
     if let Some(stairs) = &style.stairs {
         // On the way down the toes do not roll.
         let before = if stairs.cop_end > 0.9 { COP_BEFORE_END.0 } else { COP_BEFORE_END.1 };
-        keys.extend([stairs.cop_middle, (style.heel_off, style.cop_heel_off), (0.50, style.cop_50)]);
+        keys.extend([stairs.cop_middle, (style.heel_off, style.cop_middle), (0.50, style.cop_50)]);
         keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
     } else {
+        let middle = style.footfall.cop_middle_at.unwrap_or(style.heel_off);
         // Where a foot is flat late, no sooner than after that.
         let single = COP_SINGLE.0.max(keys[keys.len() - 1].0 + COP_APART);
-        keys.extend([(single, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
+        keys.extend([(single, COP_SINGLE.1 * forward), (middle, style.cop_middle)]);
         keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
         keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
     }
@@ -108,10 +105,11 @@ impl Swings {
 pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
     let sin = |x: f64| (TAU * x).sin();
     let cos = |x: f64| (TAU * x).cos();
+    let list = u - style.obliquity_phase;
     let pelvis = [
         swings.pelvis
             * style.pelvic_obliquity
-            * (sin(u - style.obliquity_phase) + OBLIQUITY_THIRD * sin(3.0 * (u - style.obliquity_phase))),
+            * (sin(list) + style.list.part * sin(3.0 * (list - style.list.lag))),
         -swings.pelvis * style.pelvic_rotation * cos(u),
         style.anterior_tilt + swings.pelvis * TILT_SWING.0 * cos(2.0 * (u - TILT_SWING.1)),
     ];

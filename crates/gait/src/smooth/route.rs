@@ -1,6 +1,6 @@
 //! The route: a request's steps, each with its pace.
 
-use crate::body::Body;
+use crate::body::{Body, LegGeometry};
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, StepLaw, range, tidy};
@@ -35,8 +35,9 @@ const FIRST_STEPS: usize = 2;
 const LAST_STEPS: usize = 3;
 const NEAR_A_TURN: usize = 2;
 const LEAST_STEPS: usize = 8;
-/// The fastest steps that have the style of a steady gait (steps/min): faster ones' passes do not come to agree in it.
-const FASTEST_STEADY: f64 = 115.5;
+/// The fastest steps that have the style of a steady gait (steps/min), of steps that are alike and of such that differ: faster ones come to no more
+/// facts of people in it and need more friction, or their passes do not come to agree.
+const FASTEST_STEADY: [f64; 2] = [120.5, 115.5];
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -317,7 +318,7 @@ impl Route {
             return self.plan_on_ground(body, styling, numbers, mirrored, resolution);
         }
         let mut gone = Vec::new();
-        let mut steps_of = |parts: &[Part]| steps_of(parts, styling, mirrored, &mut gone);
+        let mut steps_of = |parts: &[Part]| steps_of(parts, styling, &body.leg, mirrored, &mut gone);
         let whole = steps_of(&self.parts);
         let repeats = self.is_even() && !styling.is_uneven();
         let planned = Steps::repeated(whole.len()).filter(|_| repeats).map(|steps| {
@@ -382,14 +383,23 @@ fn turning_short(
     Some(given.settle(law, SHORTEST_STEP).map(|pace| (pace, Some(length))))
 }
 
-/// The steps of some parts; ways to go one that are new are added to `ways`.
-fn steps_of(parts: &[Part], styling: &Styling<'_>, mirrored: bool, ways: &mut Vec<Gone>) -> Vec<Step> {
+/// The steps of some parts; ways to go one that are new are added to `ways`. Those shorter than any that tables were fitted to have no style of a steady
+/// gait: held at its ends, it would land them on less than their heels.
+fn steps_of(
+    parts: &[Part],
+    styling: &Styling<'_>,
+    leg: &LegGeometry,
+    mirrored: bool,
+    ways: &mut Vec<Gone>,
+) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
     let walked = eased(asked.iter().map(|part| part.pace).collect(), styling.law.tempo);
+    let fastest = FASTEST_STEADY[usize::from(styling.is_uneven())];
     let steady: Vec<bool> = (0..asked.len())
         .map(|i| {
             styling.has_steady
-                && walked[i].step_frequency <= FASTEST_STEADY * styling.law.tempo
+                && StyleTable::covers(leg, walked[i].step_length)
+                && walked[i].step_frequency <= fastest * styling.law.tempo
                 && is_steady(&asked, &walked, i)
         })
         .collect();

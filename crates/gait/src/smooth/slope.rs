@@ -65,7 +65,7 @@ impl Style {
         style.knee_late_swing += change(DEGREE, 0.82, 7.43);
         style.heel_off += change(1.0, 0.026, -0.0026);
         style.cop_forward += change(1.0, -0.5207, -0.1094);
-        style.cop_heel_off += change(1.0, -0.0654, 0.0057);
+        style.cop_middle += change(1.0, -0.0654, 0.0057);
         style.cop_40 += change(1.0, -0.0808, -0.0075);
         style.cop_50 += change(1.0, -0.0344, -0.0103);
         style.height1 += change(1.0, -0.003_15, -0.0025);
@@ -88,7 +88,7 @@ impl Style {
         // Once the heel has risen the pressure is under the ball or ahead of it.
         let ball = leg.heel_behind + leg.ball_ahead - COP_BEHIND_BALL * height / REFERENCE_HEIGHT;
         let least = ball / leg.foot_length();
-        let keys = [&mut style.cop_heel_off, &mut style.cop_40, &mut style.cop_50];
+        let keys = [&mut style.cop_middle, &mut style.cop_40, &mut style.cop_50];
         for (i, key) in keys.into_iter().enumerate() {
             *key = key.max(least + COP_APART * i as f64);
         }

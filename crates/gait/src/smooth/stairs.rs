@@ -49,7 +49,7 @@ impl Style {
             knee_toe_off_rate: angle((249.27, 277.66)),
             knee_toe_off_acc: angle((-1112.91, 881.23)),
             toe_roll: angle((30.62, 0.0)),
-            cop_heel_off: of((0.6584, 0.7693)),
+            cop_middle: of((0.6584, 0.7693)),
             cop_50: of((0.7542, 0.79)),
             heel_off: of((0.3718, 0.2943)),
             thorax_lean: angle((12.0, 1.0)),

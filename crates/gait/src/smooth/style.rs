@@ -61,6 +61,8 @@ macro_rules! style_numbers {
             pub manner: Manner,
             /// How feet meet the ground and leave it.
             pub footfall: Footfall,
+            /// Third harmonic of the pelvis' obliquity.
+            pub list: List,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -84,6 +86,7 @@ macro_rules! style_numbers {
                     toe_off_most: MOST_KNEE_TOE_OFF,
                     manner: common.manner,
                     footfall: table.footfall,
+                    list: table.list,
                     $($name: q($name) * $unit,)*
                 }
             }
@@ -118,7 +121,7 @@ macro_rules! style_numbers {
         impl Default for StyleTable {
             /// What ships, of a steady gait.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE, list: List::PEOPLE }
             }
         }
 
@@ -135,6 +138,29 @@ pub struct StyleTable {
     pub manner: Option<Manner>,
     /// How feet meet the ground and leave it.
     pub footfall: Footfall,
+    /// Third harmonic of the pelvis' obliquity.
+    pub list: List,
+}
+
+/// Third harmonic of the pelvis' obliquity (its list to a side):
+///
+/// ```text
+/// δ (sin 2π(u − φ) + part·sin 6π(u − φ − lag))
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct List {
+    /// Over the first harmonic.
+    pub part: f64,
+    /// How much later than the first it begins (u).
+    pub lag: f64,
+}
+
+impl List {
+    /// Of the recipe that the golden walks were made with.
+    pub const RECIPE: Self = Self { part: 0.3, lag: 0.0 };
+    /// Of people: the harmonics of their mean curves at three of five paces, Schwartz, Rozumalski and Trost 2008 (see [`crate::people::curves`]),
+    /// come to 0.23 to 0.44 and 0.17 to 0.215.
+    pub const PEOPLE: Self = Self { part: 0.35, lag: 0.19 };
 }
 
 impl StyleTable {
@@ -147,6 +173,13 @@ impl StyleTable {
         let s = stretch(leg, step_length).clamp(-1.6, 1.1);
         let r = (step_length / (WALK_RATIO * height * step_frequency) - 1.0).clamp(-0.15, 0.15);
         [1.0, s, s * s, r]
+    }
+}
+
+impl StyleTable {
+    /// Whether steps so long (m) are as long as those that tables were fitted to.
+    pub(crate) fn covers(leg: &LegGeometry, step_length: f64) -> bool {
+        step_length / leg.length() >= SIGMA.0 - 1.6 * SIGMA.1
     }
 }
 
@@ -173,85 +206,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [21.54, 2.36, -0.19, 22.06];
+    heel_strike_angle: DEGREE, [21.65, 1.48, -0.79, 27.12];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01743, -0.00034, -0.00011, 0.01330];
+    height1: 1.0, [0.01766, -0.00014, -0.00001, 0.00432];
     /// Its phase.
-    height1_phase: 1.0, [0.0281, -0.0232, 0.0032, 0.1228];
+    height1_phase: 1.0, [0.0337, -0.0247, 0.0025, 0.0982];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00109, 0.00105, 0.00004, -0.00001];
+    height2_cos: 1.0, [-0.00079, 0.00100, -0.00025, -0.00098];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00185, 0.00085, -0.00032, -0.00672];
+    height2_sin: 1.0, [0.00220, 0.00036, -0.00097, -0.00956];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00040, -0.00023, 0.00024, 0.00033];
+    height3_cos: 1.0, [-0.00047, -0.00022, 0.00023, 0.00096];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [0.00001, 0.00029, 0.00003, -0.00023];
+    height3_sin: 1.0, [0.00008, 0.00032, -0.00009, -0.00123];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [3.73, 0.73, 0.34, 2.04];
+    pelvic_obliquity: DEGREE, [2.98, 0.65, 0.47, 5.05];
     /// Its phase.
-    obliquity_phase: 1.0, [0.1283, -0.0072, -0.0188, -0.4580];
+    obliquity_phase: 1.0, [-0.0569, 0.0012, -0.0164, -0.2046];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0710, -0.0036, -0.0009, 0.0753];
+    foot_flat: 1.0, [0.0728, -0.0043, -0.0044, 0.1179];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [6.66, 0.00, -1.32, -12.92];
+    knee_contact: DEGREE, [5.11, -0.54, -0.97, -9.88];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [54.4, -33.2, -24.3, -379.0];
+    knee_contact_rate: DEGREE, [67.24, -13.25, -48.65, 84.47];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [4938.0, 2636.0, 3990.0, -860.0];
+    knee_contact_acc: DEGREE, [6268.0, 443.0, 9.0, 28123.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [8.31, 11.03, 7.08, 1.37];
+    knee_push: DEGREE, [11.39, 8.30, 4.16, -17.85];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.92, -5.73, 1.40, 10.53];
+    knee_toe_off: DEGREE, [41.28, -7.85, 0.80, 13.90];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [334.4, -58.6, -26.0, -390.3];
+    knee_toe_off_rate: DEGREE, [306.1, -73.1, -33.6, -150.7];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-2501.0, 119.0, 108.0, 12489.0];
+    knee_toe_off_acc: DEGREE, [-2503.0, 942.0, 2.0, -1465.0];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [40.28, 3.51, -0.90, 4.55];
+    toe_roll: DEGREE, [39.09, 3.10, 1.19, 38.27];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [59.95, -7.74, -1.66, 15.77];
+    knee_peak: DEGREE, [62.68, 0.52, 1.62, 33.34];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7978, 0.0121, 0.0008, 0.0645];
+    knee_peak_at: 1.0, [0.7751, -0.0110, -0.0024, 0.0444];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [27.76, -0.92, 1.62, 11.19];
+    thigh_swing: DEGREE, [25.76, 0.67, 1.42, 28.17];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [4.24, 0.16, -1.63, 2.16];
+    ankle_swing: DEGREE, [5.96, 2.55, -2.55, 0.37];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [0.6749, 0.3436, -0.0402, -1.0971];
-    /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7881, 0.0481, 0.0077, 0.0154];
+    cop_forward: 1.0, [0.9446, 0.4703, 0.0336, 0.2199];
+    /// Centre of pressure at u = .30, as a fraction of the foot's length; where [`Footfall::cop_middle_at`] says so, when the heel rises.
+    cop_middle: 1.0, [0.7434, 0.0513, 0.0334, 0.0685];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.7912, 0.0477, 0.0074, 0.0224];
+    cop_40: 1.0, [0.7493, 0.0484, 0.0306, 0.0631];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.7935, 0.0475, 0.0081, 0.0244];
+    cop_50: 1.0, [0.7882, 0.0168, 0.0219, 0.0523];
     /// When the heel rises.
-    heel_off: 1.0, [0.3005, 0.0422, 0.0086, -0.1358];
+    heel_off: 1.0, [0.3179, 0.0532, 0.0070, -0.0257];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-2.07, -1.46, 1.29, -0.43];
+    thorax_lean: DEGREE, [-2.60, -1.70, 1.02, -4.39];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [8.56, 4.72, 3.89, -12.00];
+    knee_late_swing: DEGREE, [8.51, 2.15, 1.06, -2.68];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [-0.05, 0.00, 0.08, -1.36];
+    thorax_bend_sin: DEGREE, [1.02, 0.49, -0.63, -7.07];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-3.79, -0.27, -0.11, -0.98];
+    thorax_bend_cos: DEGREE, [-2.39, 0.66, -0.01, -0.72];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [3.01, 0.02, -0.02, -0.05];
+    thorax_yaw: DEGREE, [3.02, 0.01, 0.01, 0.16];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [16.92, 4.69, -0.55, -21.34];
+    arm_swing: DEGREE, [16.96, 4.74, -0.63, -19.64];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.5400, -0.5200, 0.3200, -0.2019];
+    share_exponent: 1.0, [0.3741, -0.2908, 0.1157, 0.3202];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.0983, 0.0002, 0.0002, -0.0118];
+    step_width: 1.0, [0.0989, -0.0013, -0.0007, 0.0053];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.3412, -0.1890, -0.0295, 0.9465];
+    tip_roll: 1.0, [0.3363, -0.2246, -0.0527, 0.9296];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [6.64, 0.97, -0.75, 1.70];
+    pelvic_rotation: DEGREE, [6.49, 1.12, -0.59, 1.49];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4253, -0.5878, 0.4237, 2.2761];
+    pivot: 1.0, [1.4028, -0.3296, 0.3347, 1.2168];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0709, 0.0463, -0.0342, 0.0175];
+    arm_lag: 1.0, [-0.0760, 0.0512, -0.0195, 0.3369];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [0.1173, 0.1092, 0.1865, -0.0492];
+    thorax_yaw_phase: 1.0, [0.0064, 0.0758, -0.0031, -0.0968];
 }
 
 impl Style {
@@ -326,6 +359,7 @@ impl Style {
             .chain(self.manner.numbers())
             .chain(self.stairs.iter().map(|stairs| ("stairs", stairs.sum())))
             .chain(self.footfall.numbers())
+            .chain([("list", self.list.part + self.list.lag)])
             .find(|(_, value)| !value.is_finite())
         {
             Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),
@@ -336,7 +370,7 @@ impl Style {
     /// Whether the step is shorter than any that the numbers were fitted to (0.538 of the leg), so that they are held at
     /// their ends.
     pub fn is_extrapolated(&self, leg: &LegGeometry) -> bool {
-        self.step_length / leg.length() < SIGMA.0 - 1.6 * SIGMA.1
+        !StyleTable::covers(leg, self.step_length)
     }
 
     /// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).

@@ -4,12 +4,12 @@
 //! and stairs were tuned to these rows; what people's steady strides are held against says nothing of such steps.
 
 use super::footfall::Footfall;
-use super::style::StyleTable;
+use super::style::{List, StyleTable};
 
 impl StyleTable {
     /// The style of steps that are not steady.
     pub fn unsteady() -> Self {
-        Self { rows: ROWS.map(|(_, row)| row), manner: None, footfall: Footfall::SMOOTH }
+        Self { rows: ROWS.map(|(_, row)| row), manner: None, footfall: Footfall::SMOOTH, list: List::RECIPE }
     }
 }
 
@@ -38,7 +38,7 @@ const ROWS: [(&str, [f64; 4]); StyleTable::NUMBERS.len()] = [
     ("thigh_swing", [28.80, -0.61, 1.24, -1.67]),
     ("ankle_swing", [6.17, -0.31, -0.41, 1.66]),
     ("cop_forward", [1.0609, 0.2194, -0.0662, 0.6133]),
-    ("cop_heel_off", [0.7494, 0.0063, -0.0016, 0.0387]),
+    ("cop_middle", [0.7494, 0.0063, -0.0016, 0.0387]),
     ("cop_40", [0.7914, 0.0187, -0.0087, 0.0759]),
     ("cop_50", [0.7964, 0.0360, 0.0230, 0.0912]),
     ("heel_off", [0.3248, 0.0146, -0.0038, 0.0421]),

@@ -351,7 +351,7 @@ fn one_side_differs_and_the_mean_pace_stays() {
             let mut motion = plan.motion(&figure, 120.0).expect("sampled");
             ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
             let extremes = measure(&figure, &motion).expect("measured").extremes;
-            assert!(extremes.cop_outside.value < 1e-3 && extremes.slide.value < 1e-9, "{}", shipped.name);
+            assert!(extremes.cop_outside.value < 2e-3 && extremes.slide.value < 1e-9, "{}", shipped.name);
             assert!(extremes.friction.value < FRICTION.0 && extremes.sink.value < 1e-4, "{}", shipped.name);
             let steps = steps_of(&figure, &plan);
             let middle = &steps[4..10];

@@ -1,7 +1,7 @@
 //! The figure of `fixtures/reference/smooth/golden.json`, and readers of its numbers.
 
 use serde_json::Value;
-use solaris_gait::{Footfall, Manner, StyleTable};
+use solaris_gait::{Footfall, List, Manner, StyleTable};
 use solaris_model::{Figure, Vector3};
 
 /// The golden numbers of the walk.
@@ -34,8 +34,12 @@ pub(crate) fn recipe_table(golden: &Value) -> StyleTable {
         "toe", "kpk", "upk", "aw", "dwp", "cf", "cho", "c40", "c50", "uho", "lean", "kw2", "tb", "tbc", "ttr", "arm", "se",
         "w", "utk", "tau", "vpp", "armlag", "ttu",
     ];
-    let mut table =
-        StyleTable { manner: Some(Manner::RECIPE), footfall: Footfall::RECIPE, ..StyleTable::default() };
+    let mut table = StyleTable {
+        manner: Some(Manner::RECIPE),
+        footfall: Footfall::RECIPE,
+        list: List::RECIPE,
+        ..StyleTable::default()
+    };
     for (row, name) in table.rows.iter_mut().zip(NAMES) {
         *row = std::array::from_fn(|k| number(&golden["style_table"][name][k]));
     }

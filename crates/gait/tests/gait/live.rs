@@ -180,7 +180,7 @@ fn a_steady_walk_is_the_planned_stride() {
         println!(
             "{step_frequency}/min: hip, knee, ankle, right hip and knee, shoulder off by {best:.2?}° rms; {speed:.3} m/s"
         );
-        assert!(best.iter().all(|off| *off < 2.5), "{best:?}");
+        assert!(best.iter().all(|off| *off < 3.5), "{best:?}");
     }
 }
 
