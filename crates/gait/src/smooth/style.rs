@@ -16,6 +16,9 @@ const SIGMA: (f64, f64) = (0.7586, 0.138);
 /// Mass over squared height of a person of average build (kg/m²), whose weight a plate's threshold is held against.
 const BUILD: f64 = 23.84;
 
+/// Least exponent of the load share: a smaller one would load a landing foot within 10 ms.
+const LEAST_SHARE_EXPONENT: f64 = 0.3;
+
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Least flexion of a knee on a flat foot.
 const LEAST_KNEE: f64 = 7.0 * DEGREE;
@@ -331,6 +334,7 @@ impl Style {
         }
         style.step_width *= height / 1.75;
         style.heel_off = style.heel_off.min(style.footfall.latest_heel_off);
+        style.share_exponent = style.share_exponent.max(LEAST_SHARE_EXPONENT);
         let vertical = |u: f64| BUILD * height * height * (G + style.height(leg.length(), u).1);
         style.double_support =
             style.footfall.planned_double_support(style.double_support, style.share_exponent, vertical);

@@ -26,7 +26,7 @@ fn steady_strides_keep_textbooks_ranges() {
     for (height, least) in [
         (1.55, [(80.0, 18), (95.0, 19), (110.0, 20), (115.0, 19)]),
         (1.75, [(80.0, 20), (95.0, 20), (110.0, 20), (115.0, 20)]),
-        (1.90, [(80.0, 19), (95.0, 20), (110.0, 19), (115.0, 17)]),
+        (1.90, [(80.0, 19), (95.0, 19), (110.0, 19), (115.0, 17)]),
     ] {
         let figure = human(height, 23.84 * height * height).expect("a person");
         for (step_frequency, least) in least {
