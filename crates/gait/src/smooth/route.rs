@@ -37,7 +37,7 @@ const NEAR_A_TURN: usize = 2;
 const LEAST_STEPS: usize = 8;
 /// The fastest steps that have the style of a steady gait (steps/min), of steps that are alike and of such that differ: faster ones come to no more
 /// facts of people in it and need more friction, or their passes do not come to agree.
-const FASTEST_STEADY: [f64; 2] = [120.5, 115.5];
+const FASTEST_STEADY: [f64; 2] = [119.5, 115.5];
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -383,8 +383,8 @@ fn turning_short(
     Some(given.settle(law, SHORTEST_STEP).map(|pace| (pace, Some(length))))
 }
 
-/// The steps of some parts; ways to go one that are new are added to `ways`. Those shorter than any that tables were fitted to have no style of a steady
-/// gait: held at its ends, it would land them on less than their heels.
+/// The steps of some parts; ways to go one that are new are added to `ways`. Backward, steps shorter than any that tables were fitted to have no style
+/// of a steady gait: held at its ends, it would land them on less than their heels, and press beside them.
 fn steps_of(
     parts: &[Part],
     styling: &Styling<'_>,
@@ -398,7 +398,7 @@ fn steps_of(
     let steady: Vec<bool> = (0..asked.len())
         .map(|i| {
             styling.has_steady
-                && StyleTable::covers(leg, walked[i].step_length)
+                && (!styling.backward || StyleTable::covers(leg, walked[i].step_length))
                 && walked[i].step_frequency <= fastest * styling.law.tempo
                 && is_steady(&asked, &walked, i)
         })

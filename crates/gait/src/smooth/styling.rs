@@ -79,6 +79,8 @@ pub(crate) struct Styling<'a> {
     pub(crate) law: StepLaw,
     /// Whether steps of a steady gait have the style of one.
     pub(crate) has_steady: bool,
+    /// Whether it goes backward.
+    pub(crate) backward: bool,
     population: Population,
     sheet: StyleSheet,
     sides: [StyleSheet; 2],
@@ -96,6 +98,7 @@ impl<'a> Styling<'a> {
         Self {
             law: StepLaw::new(request.population, &sheet, body.height, body.mass).going(request.backward),
             has_steady: true,
+            backward: request.backward,
             population: request.population,
             sheet,
             sides,
