@@ -9,7 +9,7 @@ mod walk;
 
 use crate::workspace;
 use serde_json::Value;
-use solaris_gait::{Footfall, List, StyleTable};
+use solaris_gait::{Footfall, PelvicList, StyleTable};
 use std::fmt::Write;
 use std::fs;
 
@@ -94,7 +94,8 @@ pub(crate) fn recipe() -> Result<StyleTable, String> {
     let text =
         fs::read_to_string(workspace::root().join(RECIPE)).map_err(|error| format!("{RECIPE}: {error}"))?;
     let file: Value = serde_json::from_str(&text).map_err(|error| format!("{RECIPE}: {error}"))?;
-    let mut table = StyleTable { footfall: Footfall::RECIPE, list: List::RECIPE, ..StyleTable::default() };
+    let mut table =
+        StyleTable { footfall: Footfall::RECIPE, list: PelvicList::RECIPE, ..StyleTable::default() };
     for (row, name) in table.rows.iter_mut().zip(NAMES) {
         for (k, c) in row.iter_mut().enumerate() {
             *c = file["style_table"][name][k].as_f64().ok_or_else(|| format!("{RECIPE}: no {name}[{k}]"))?;

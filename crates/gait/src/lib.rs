@@ -61,7 +61,7 @@ pub use request::{
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{
-    FRICTION, Footfall, LONGEST_STAND, List, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS,
+    FRICTION, Footfall, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, PelvicList, SHEET_NUMBERS,
     SIDE_MANNERS, SLOPES, STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style,
     StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of,
     side_sheet_of, step_length_on_slope, walk, walk_in_part,

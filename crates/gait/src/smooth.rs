@@ -39,7 +39,7 @@ pub use slope::{SLOPES, step_length_on_slope};
 pub use stair_numbers::StairNumbers;
 pub use stairs::STAIRS;
 pub use stride::StridePlan;
-pub use style::{List, Style, StyleTable};
+pub use style::{PelvicList, Style, StyleTable};
 pub(crate) use walk::Standing;
 pub use walk::{WalkNumbers, WalkPlan};
 pub(crate) use walker::{has_more_steps, judged, styled};

@@ -65,7 +65,7 @@ macro_rules! style_numbers {
             /// How feet meet the ground and leave it.
             pub footfall: Footfall,
             /// Third harmonic of the pelvis' obliquity.
-            pub list: List,
+            pub list: PelvicList,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -124,7 +124,7 @@ macro_rules! style_numbers {
         impl Default for StyleTable {
             /// What ships, of a steady gait.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE, list: List::PEOPLE }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE, list: PelvicList::PEOPLE }
             }
         }
 
@@ -142,7 +142,7 @@ pub struct StyleTable {
     /// How feet meet the ground and leave it.
     pub footfall: Footfall,
     /// Third harmonic of the pelvis' obliquity.
-    pub list: List,
+    pub list: PelvicList,
 }
 
 /// Third harmonic of the pelvis' obliquity (its list to a side):
@@ -151,14 +151,14 @@ pub struct StyleTable {
 /// δ (sin 2π(u − φ) + part·sin 6π(u − φ − lag))
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct List {
+pub struct PelvicList {
     /// Over the first harmonic.
     pub part: f64,
     /// How much later than the first it begins (u).
     pub lag: f64,
 }
 
-impl List {
+impl PelvicList {
     /// Of the recipe that the golden walks were made with.
     pub const RECIPE: Self = Self { part: 0.3, lag: 0.0 };
     /// Of people: the harmonics of their mean curves at three of five paces, Schwartz, Rozumalski and Trost 2008 (see [`crate::people::curves`]),
@@ -254,7 +254,7 @@ style_numbers! {
     ankle_swing: DEGREE, [5.96, 2.55, -2.55, 0.37];
     /// Factor of the centre of pressure's way forward.
     cop_forward: 1.0, [0.9446, 0.4703, 0.0336, 0.2199];
-    /// Centre of pressure at u = .30, as a fraction of the foot's length; where [`Footfall::cop_middle_at`] says so, when the heel rises.
+    /// Centre of pressure in mid-stance, at [`Footfall::cop_middle_at`] (u = .30) or when the heel rises, as a fraction of the foot's length.
     cop_middle: 1.0, [0.7434, 0.0513, 0.0334, 0.0685];
     /// Centre of pressure at u = .40.
     cop_40: 1.0, [0.7493, 0.0484, 0.0306, 0.0631];

@@ -4,12 +4,17 @@
 //! and stairs were tuned to these rows; what people's steady strides are held against says nothing of such steps.
 
 use super::footfall::Footfall;
-use super::style::{List, StyleTable};
+use super::style::{PelvicList, StyleTable};
 
 impl StyleTable {
     /// The style of steps that are not steady.
     pub fn unsteady() -> Self {
-        Self { rows: ROWS.map(|(_, row)| row), manner: None, footfall: Footfall::SMOOTH, list: List::RECIPE }
+        Self {
+            rows: ROWS.map(|(_, row)| row),
+            manner: None,
+            footfall: Footfall::SMOOTH,
+            list: PelvicList::RECIPE,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The figure of `fixtures/reference/smooth/golden.json`, and readers of its numbers.
 
 use serde_json::Value;
-use solaris_gait::{Footfall, List, Manner, StyleTable};
+use solaris_gait::{Footfall, Manner, PelvicList, StyleTable};
 use solaris_model::{Figure, Vector3};
 
 /// The golden numbers of the walk.
@@ -37,7 +37,7 @@ pub(crate) fn recipe_table(golden: &Value) -> StyleTable {
     let mut table = StyleTable {
         manner: Some(Manner::RECIPE),
         footfall: Footfall::RECIPE,
-        list: List::RECIPE,
+        list: PelvicList::RECIPE,
         ..StyleTable::default()
     };
     for (row, name) in table.rows.iter_mut().zip(NAMES) {
