@@ -104,6 +104,10 @@ macro_rules! style_numbers {
                     least_knee: mix(self.least_knee, other.least_knee),
                     clearance: mix(self.clearance, other.clearance),
                     slope: mix(self.slope, other.slope),
+                    list: PelvicList {
+                        part: mix(self.list.part, other.list.part),
+                        lag: mix(self.list.lag, other.list.lag),
+                    },
                     $($name: mix(self.$name, other.$name),)*
                     ..*self
                 }

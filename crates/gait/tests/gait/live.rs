@@ -180,7 +180,7 @@ fn a_steady_walk_is_the_planned_stride() {
         println!(
             "{step_frequency}/min: hip, knee, ankle, right hip and knee, shoulder off by {best:.2?}° rms; {speed:.3} m/s"
         );
-        assert!(best.iter().all(|off| *off < 3.5), "{best:?}");
+        assert!(best.iter().all(|off| *off < 1.6), "{best:?}");
     }
 }
 
@@ -194,7 +194,7 @@ fn the_ground_is_pressed_where_the_plan_says() {
         ("steady, 0.5 m/s", vec![(walk(0.5), 10.0)], 5.0, 0.03),
         ("steady, 0.9 m/s", vec![(walk(0.9), 10.0)], 5.0, 0.03),
         ("steady, 1.3 m/s", vec![(walk(1.3), 10.0)], 5.0, 0.03),
-        ("from standing to 1.2 m/s", vec![(walk(1.2), 3.0)], 0.0, 0.04),
+        ("from standing to 1.2 m/s", vec![(walk(1.2), 3.0)], 0.0, 0.042),
         ("from 1.2 m/s to a stop", vec![(walk(1.2), 6.0), (stop, 5.0)], 6.0, 0.04),
         ("a circle of 2 m, 0.9 m/s", circle(2.0, 0.9), 0.0, 0.04),
         ("on the spot", vec![(stop.facing(PI), 8.0)], 2.0, 0.08),
