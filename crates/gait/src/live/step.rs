@@ -31,7 +31,7 @@ const RISES: (f64, f64, f64) = (0.4 * DEGREE, 0.22, 0.30);
 const BENDS: f64 = 0.44;
 const BENT: f64 = 16.0 * DEGREE;
 /// The steepest pitch of a foot, and over which range it comes to it (rad).
-const STEEPEST: (f64, f64) = (80.0 * DEGREE, 8.0 * DEGREE);
+const STEEPEST: (f64, f64) = (72.0 * DEGREE, 8.0 * DEGREE);
 /// Over which height the body gives way at once (m).
 const GIVES_WAY: f64 = 0.001;
 /// Until when of the swing, and over which part of it, a foot is drawn up to a leg that is too short.
