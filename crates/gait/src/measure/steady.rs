@@ -4,7 +4,7 @@ use super::SAME_TIME;
 use super::peaks::Stance;
 use super::series::Series;
 use super::window::{Window, middle_stride};
-use solaris_model::{EventKind, Motion};
+use solaris_model::{Event, EventKind, Motion};
 
 /// Part of a stride's duration and way by which its halves may differ, and by which it may go sideways.
 const UNEVEN: f64 = 0.02;
@@ -99,6 +99,9 @@ impl SteadyStride {
             lift.map_or(f64::NAN, |event| (event.time - start) / stride)
         };
         let (double_support, toe_off) = (lift("right_foot"), lift("left_foot"));
+        // When a foot begins to bear, or has ceased to.
+        let meets = |event: &&Event| matches!(event.kind, EventKind::TouchDown { .. } | EventKind::LiftOff { .. });
+        let turns: Vec<f64> = motion.events.iter().filter(meets).map(|event| event.time).collect();
         let percent = 100.0 / series.weight;
         let left = &series.forces[0];
         let vertical = |i: usize| percent * left[i].y;
@@ -124,8 +127,8 @@ impl SteadyStride {
             double_support: 100.0 * double_support,
             stance: 100.0 * toe_off,
             plate_double_support: 50.0
-                * window.part_above(PLATE_THRESHOLD, &|i| left[i].y.min(series.forces[1][i].y)),
-            plate_stance: 100.0 * window.part_above(PLATE_THRESHOLD, &|i| left[i].y),
+                * window.part_above(PLATE_THRESHOLD, &turns, &|i| left[i].y.min(series.forces[1][i].y)),
+            plate_stance: 100.0 * window.part_above(PLATE_THRESHOLD, &turns, &|i| left[i].y),
             mean_vertical: window.mean(&total),
             first_peak: pushed.first_peak(&vertical),
             valley: pushed.valley(double_support, &vertical),

@@ -44,9 +44,22 @@ impl Window<'_> {
         area / (self.span.1 - self.span.0)
     }
 
-    /// The part of the stride in which the value is above a threshold, linear between samples.
-    pub(crate) fn part_above(&self, threshold: f64, f: &dyn Fn(usize) -> f64) -> f64 {
-        let points = self.points(f);
+    /// The part of the stride in which the value is above a threshold, linear between samples; and from or to zero at the times at
+    /// which it begins and ends, as it is on one side of each: a line from the sample before would rise too early.
+    pub(crate) fn part_above(&self, threshold: f64, begins_and_ends: &[f64], f: &dyn Fn(usize) -> f64) -> f64 {
+        let mut points = self.points(f);
+        for &zero in begins_and_ends {
+            let next = self.time.partition_point(|t| *t < zero).clamp(1, self.time.len() - 1);
+            let rests = [next - 1, next].into_iter().any(|i| f(i).abs() <= f64::EPSILON * threshold);
+            if !rests || zero < self.span.0 || zero > self.span.1 {
+                continue;
+            }
+            let place = points.partition_point(|(time, _)| *time < zero);
+            match points.get_mut(place) {
+                Some(point) if point.0 <= zero => point.1 = 0.0,
+                _ => points.insert(place, (zero, 0.0)),
+            }
+        }
         let above = points.windows(2).map(|p| {
             let (duration, [a, b]) = (p[1].0 - p[0].0, [p[0].1 - threshold, p[1].1 - threshold]);
             match (a > 0.0, b > 0.0) {

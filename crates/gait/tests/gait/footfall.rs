@@ -4,7 +4,7 @@ use solaris_analysis::ground_reactions;
 use solaris_dynamics::{Tree, Workspace, center_of_mass};
 use solaris_gait::{
     FEET, Footfall, LegGeometry, Resolution, StridePlan, Style, StyleTable, WALK_RATIO, WalkNumbers,
-    WalkPlan, measure,
+    WalkPlan, WalkRequest, measure, walk,
 };
 use solaris_model::{Vector3, human};
 
@@ -38,6 +38,25 @@ fn a_plate_sees_the_law_of_double_support() {
             assert!((both - law).abs() < 0.3, "{height} m, {step_frequency}/min: {both} and not {law} %");
             assert!((stance - 50.0 - law).abs() < 0.3, "{height} m, {step_frequency}/min: stance {stance} %");
         }
+    }
+}
+
+/// A force that grows to a fifth of the weight between two frames passes the threshold where it does, not a frame before.
+#[test]
+fn what_a_plate_sees_is_the_same_at_any_rate() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let plan = walk(&figure, &WalkRequest::default()).expect("a walk");
+    let seen = |rate: f64| {
+        let mut motion = plan.motion(&figure, rate).expect("a motion");
+        ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
+        let steady = measure(&figure, &motion).expect("measures").steady.expect("a steady stride");
+        [steady.plate_double_support, steady.plate_stance]
+    };
+    let [both, stance] = seen(2000.0);
+    for rate in [50.0, 60.0, 100.0, 120.0, 250.0] {
+        let [coarse, stood] = seen(rate);
+        assert!((coarse - both).abs() < 0.1, "{rate} Hz: double support {coarse} % and not {both}");
+        assert!((stood - stance).abs() < 0.1, "{rate} Hz: stance {stood} % and not {stance}");
     }
 }
 

@@ -72,8 +72,7 @@ fn a_smooth_walk_is_written_with_units_in_its_keys() {
     let lost = stride.double_support - stride.plate_double_support;
     assert!((0.5..4.0).contains(&lost), "{lost}");
     // Both legs' stances together are the stride and both double supports.
-    // Forces pass the threshold steeply between two samples, which are 0.8 % of the stride apart.
-    assert!((2.0 * stride.plate_stance - 100.0 - 2.0 * stride.plate_double_support).abs() < 0.25);
+    assert!((2.0 * stride.plate_stance - 100.0 - 2.0 * stride.plate_double_support).abs() < 0.05);
     assert_eq!(
         written["steady_stride"],
         json!({
