@@ -110,7 +110,8 @@ impl Tools {
         let version = said(&["-vV"])?;
         let host = version.lines().find_map(|line| line.strip_prefix("host: "));
         let host = host.ok_or("rustc does not say its host")?;
-        let folder = Path::new(said(&["--print", "sysroot"])?.trim()).join("lib/rustlib").join(host).join("bin");
+        let folder =
+            Path::new(said(&["--print", "sysroot"])?.trim()).join("lib/rustlib").join(host).join("bin");
         if folder.join("llvm-cov").exists() {
             Ok(Self { folder })
         } else {
@@ -179,10 +180,7 @@ mod tests {
     fn sources_are_summed_by_crate_and_tests_are_not() {
         let file = |name: &str, count, covered| File {
             filename: PathBuf::from(name),
-            summary: Summary {
-                lines: Count { count, covered },
-                functions: Count { count: 2, covered: 1 },
-            },
+            summary: Summary { lines: Count { count, covered }, functions: Count { count: 2, covered: 1 } },
         };
         let files = vec![
             file("/home/crates/gait/src/lib.rs", 10, 5),

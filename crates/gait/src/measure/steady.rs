@@ -100,7 +100,8 @@ impl SteadyStride {
         };
         let (double_support, toe_off) = (lift("right_foot"), lift("left_foot"));
         // When a foot begins to bear, or has ceased to.
-        let meets = |event: &&Event| matches!(event.kind, EventKind::TouchDown { .. } | EventKind::LiftOff { .. });
+        let meets =
+            |event: &&Event| matches!(event.kind, EventKind::TouchDown { .. } | EventKind::LiftOff { .. });
         let turns: Vec<f64> = motion.events.iter().filter(meets).map(|event| event.time).collect();
         let percent = 100.0 / series.weight;
         let left = &series.forces[0];

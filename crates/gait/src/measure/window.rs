@@ -46,7 +46,12 @@ impl Window<'_> {
 
     /// The part of the stride in which the value is above a threshold, linear between samples; and from or to zero at the times at
     /// which it begins and ends, as it is on one side of each: a line from the sample before would rise too early.
-    pub(crate) fn part_above(&self, threshold: f64, begins_and_ends: &[f64], f: &dyn Fn(usize) -> f64) -> f64 {
+    pub(crate) fn part_above(
+        &self,
+        threshold: f64,
+        begins_and_ends: &[f64],
+        f: &dyn Fn(usize) -> f64,
+    ) -> f64 {
         let mut points = self.points(f);
         for &zero in begins_and_ends {
             let next = self.time.partition_point(|t| *t < zero).clamp(1, self.time.len() - 1);
