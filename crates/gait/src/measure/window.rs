@@ -44,8 +44,8 @@ impl Window<'_> {
         area / (self.span.1 - self.span.0)
     }
 
-    /// The part of the stride in which the value is above a threshold, linear between samples; and from or to zero at the times at
-    /// which it begins and ends, as it is on one side of each: a line from the sample before would rise too early.
+    /// The part of the stride in which the value is above a threshold, linear between samples. It is zero at the times at which it begins
+    /// and ends: a line from the sample before a beginning would rise too early. Of these times only those count beside which a sample is zero.
     pub(crate) fn part_above(
         &self,
         threshold: f64,
