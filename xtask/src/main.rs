@@ -23,7 +23,8 @@ cargo xtask CHORE
   bevy                              formatting, lints and tests of the plug-in for Bevy, a workspace of its own; skipped where the
                                     engine's crates cannot be had
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
-  coverage                          counts which lines the tests run, by crate, in a build of its own; needs the component llvm-tools
+  coverage [ARGUMENT…]              counts which lines the tests run, by crate, in an optimised build of its own; arguments of cargo test
+                                    choose packages (-p solaris-model); needs the component llvm-tools
   fuzz [--minutes N] [--target T]   fuzzes every reader, 12 minutes in all, or one; needs a nightly compiler and cargo-fuzz
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   instructions [--bless]            counts the instructions of the kernel's operations, and compares with fixtures/instructions.ron;
@@ -51,7 +52,7 @@ fn main() -> ExitCode {
     let done = match args[..] {
         ["bevy"] => bevy::run(),
         ["ci"] => ci::run(),
-        ["coverage"] => coverage::run(),
+        ["coverage", ref chosen @ ..] => coverage::run(chosen),
         ["fuzz", ref options @ ..] => fuzz::Options::parse(options).and_then(|options| fuzz::run(&options)),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
