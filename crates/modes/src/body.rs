@@ -1,5 +1,6 @@
 //! A figure with everything that acts in it by itself: springs, dampers, limits, gravity.
 
+mod closures;
 mod joints;
 mod limits;
 mod planted;
@@ -11,6 +12,7 @@ use crate::contact::{ContactPatch, Surface};
 use crate::element::{LimitLaw, PointSpring};
 use crate::failure::SetupError;
 use crate::report::Energy;
+pub(crate) use closures::Closure;
 use joints::JointElements;
 use limits::Stop;
 pub(crate) use limits::{Pushing, pushing};
@@ -57,7 +59,7 @@ pub(crate) struct Body<T> {
     pushes: Vec<PushElement<T>>,
     /// What the world does in an impact besides.
     blows: Vec<(usize, Wrench<T>)>,
-    /// What stands on the ground and stays there.
+    /// What stands on the ground and stays there, and what loops hold together.
     planted: Option<Planted<T>>,
     /// What acts by itself along each degree of freedom, in the state of the last call.
     passive: Vec<T>,
@@ -133,8 +135,13 @@ impl<T: Elementary> Body<T> {
 
     /// From now on these stand on the ground and stay where they are, until others take their place.
     pub(crate) fn plant(&mut self, patches: &[ContactPatch]) {
-        let ground = self.ground.as_ref().filter(|_| !patches.is_empty());
-        self.planted = ground.map(|ground| Planted::new(&self.tree, ground, patches));
+        let closures = self.planted.take().map_or_else(Vec::new, Planted::into_closures);
+        self.planted = Planted::new(&self.tree, self.ground.as_ref(), patches, closures);
+    }
+
+    /// From now on these loops are closed, and nothing stands on the ground.
+    pub(crate) fn close(&mut self, closures: Vec<Closure<T>>) {
+        self.planted = Planted::new(&self.tree, self.ground.as_ref(), &[], closures);
     }
 
     /// From now on the limits of a degree of freedom, where they push back, do this, whatever the state says.
@@ -169,15 +176,17 @@ impl<T: Elementary> Body<T> {
             *total = if prescribed[k] { T::zero() } else { tau[k] + self.passive[k] };
         }
         let (tree, workspace, external) = (&self.tree, &mut self.workspace, &self.external);
-        match (&mut self.planted, &self.ground) {
-            (Some(planted), Some(ground)) => {
-                planted.hold(ground, workspace);
+        match &mut self.planted {
+            Some(planted) => {
+                planted.hold(self.ground.as_ref(), workspace);
                 let contacts = planted.contacts();
                 let total = &mut self.total;
                 contact_dynamics(tree, workspace, contacts, q, v, prescribed, external, a, total)?;
-                self.pressure.force = planted.force();
+                if planted.has_footholds() {
+                    self.pressure.force = planted.force();
+                }
             }
-            _ => hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?,
+            None => hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?,
         }
         for (k, force) in tau.iter_mut().enumerate().filter(|(k, _)| prescribed[*k]) {
             *force = self.total[k] - self.passive[k];
@@ -222,14 +231,14 @@ impl<T: Elementary> Body<T> {
     ) -> Result<(), DynamicsError> {
         let (tree, workspace, zeros, blows) =
             (&self.weightless, &mut self.workspace, &self.zeros, &self.blows);
-        match (&mut self.planted, &self.ground) {
-            (Some(planted), Some(ground)) => {
+        match &mut self.planted {
+            Some(planted) => {
                 velocities(&self.tree, workspace, q, v)?;
-                planted.stop(ground, workspace);
+                planted.stop(self.ground.as_ref(), workspace);
                 let contacts = planted.contacts();
                 contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, blows, jump, impulse)?;
             }
-            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, blows, jump, impulse)?,
+            None => hybrid_dynamics(tree, workspace, q, zeros, prescribed, blows, jump, impulse)?,
         }
         Ok(())
     }
@@ -249,6 +258,11 @@ impl<T: Elementary> Body<T> {
     /// [`impact`](Self::impact) (N s, N m s), found it.
     pub(crate) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<T>> {
         self.planted.iter().flat_map(Planted::wrenches)
+    }
+
+    /// What each loop does to the link that it holds (N, N m, about the world's origin), as the last call of [`hybrid`](Self::hybrid) found it.
+    pub(crate) fn closing(&self) -> &[(usize, Wrench<T>)] {
+        self.planted.as_ref().map_or(&[], Planted::closing)
     }
 
     /// The greatest acceleration (m/s², rad/s²) that a contact patch asks for and the last call of [`hybrid`](Self::hybrid) could not give
@@ -400,7 +414,8 @@ impl<T: Elementary> Body<T> {
         }
         self.external.clear();
         self.pressure = Pressure::none();
-        if !self.points.is_empty() || (self.ground.is_some() && !self.by_impulses) || self.has_pushes() {
+        let on_ground = self.ground.is_some() && !self.by_impulses;
+        if !self.points.is_empty() || on_ground || self.has_pushes() || self.planted.is_some() {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }
         for spring in &self.points {

@@ -34,7 +34,8 @@ pub struct PointSpring {
 
 /// Two points, and perhaps the axes of their links, that are held together: what closes a loop that the figure's tree has open.
 ///
-/// [`Method::Impulses`](crate::Method::Impulses) alone knows it.
+/// By [`Method::Impulses`](crate::Method::Impulses) impulses hold it, and draw together what begins apart. By all other methods forces do, found
+/// together with the accelerations, as exactly as the method is; they want it closed where a run begins.
 #[doc(alias = "loop closure")]
 #[doc(alias = "equality constraint")]
 #[doc(alias = "connect")]

@@ -8,6 +8,9 @@ use solaris_dynamics::DynamicsError;
 use solaris_model::{ConfigurationError, FuseError, LoadError, MotionError};
 use solaris_profiles::ProfileError;
 
+/// How far points (m), and their velocities (m/s, rad/s), may be apart where a loop is to be held closed by forces.
+pub(crate) const OPEN: f64 = 1e-4;
+
 /// What is wrong with what was asked; nothing has been computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -164,14 +167,23 @@ pub enum SetupError {
     /// A motion that is none.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// Links that are to touch each other, or are held together by loops, in a run by a method that does not know of it.
+    /// Links that are to touch each other, in a run by a method that does not know of it.
     #[error(
-        "links that {} need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with",
-        if *.touch { "touch each other" } else { "are held together" }
+        "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
     )]
-    NeedsImpulses {
-        /// Whether they are to touch each other.
-        touch: bool,
+    NeedsImpulses,
+    /// A loop that is open where a run begins that holds it closed by forces.
+    #[error(
+        "{} and {} are held together, but begin {apart:.3e} m and {speed:.3e} m/s or rad/s apart, more than {OPEN}: start where the loop \
+         is closed, or take `Method::Impulses`, which draws them together", .links[0], .links[1]
+    )]
+    OpenLoop {
+        /// The links, or `world`.
+        links: [String; 2],
+        /// How far their points are apart (m).
+        apart: f64,
+        /// How fast they move, or their links turn, away from each other (m/s or rad/s).
+        speed: f64,
     },
     /// A loop from a link to itself, or from the world to the world.
     #[error(

@@ -182,8 +182,7 @@ impl Phase {
 
     /// What links do to each other, where [`accelerations`](Self::accelerations) were found last.
     pub(crate) fn between(&self) -> &[Between] {
-        let impulses = self.small.as_ref().and_then(|small| small.impulses.as_ref());
-        impulses.map_or(&[], |impulses| impulses.between())
+        self.small.as_ref().map_or(&[], Small::between)
     }
 
     /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were
@@ -254,6 +253,7 @@ impl Phase {
                 small.find_impulses(&self.prescribed, (t, y), None)?;
             } else {
                 small.solve(&self.prescribed, t, y)?;
+                small.tie();
             }
             small.write_accelerations(a);
         }

@@ -4,6 +4,7 @@ mod active_contacts;
 mod automatic;
 mod between;
 mod carries;
+mod closing;
 mod compare;
 mod contacts;
 mod driven;

@@ -1,4 +1,4 @@
-//! Contacts whose acceleration is prescribed and whose wrench is sought.
+//! Contacts, with the world or between links, whose acceleration is prescribed and whose wrench is sought.
 
 mod least_norm;
 
@@ -33,12 +33,15 @@ pub struct ContactConstraint<T> {
     /// The direction (of length 1, world axes) along which alone the point is held, and the force acts: it slides across it
     /// without friction. `None` for a point that is held in all directions; a link that is held as a whole always is.
     pub along: Option<Vector3<T>>,
+    /// Another link, and the point of it (m, its frame), that it is held to: a closed loop. The accelerations are then those relative to
+    /// that link, in world axes as ever, and the opposite of the wrench acts there. `None` for what is held to the world.
+    pub other: Option<(usize, Vector3<T>)>,
 }
 
 impl<T: Scalar> ContactConstraint<T> {
     /// A point of a link (m, link's frame) that stays where it is.
     pub fn point(link: usize, point: Vector3<T>) -> Self {
-        Self { link, point, acceleration: Vector3::zeros(), angular: None, along: None }
+        Self { link, point, acceleration: Vector3::zeros(), angular: None, along: None, other: None }
     }
 
     /// A point of a link (m, link's frame) that does not move along a direction (of length 1, world axes).
@@ -49,6 +52,12 @@ impl<T: Scalar> ContactConstraint<T> {
     /// A link that neither moves nor turns; the force is said to act at `point` (m, link's frame).
     pub fn fixed(link: usize, point: Vector3<T>) -> Self {
         Self { angular: Some(Vector3::zeros()), ..Self::point(link, point) }
+    }
+
+    /// The same where a point of `other` (m, its frame) is what it is held to, instead of the world.
+    #[must_use]
+    pub fn to(self, other: usize, point: Vector3<T>) -> Self {
+        Self { other: Some((other, point)), ..self }
     }
 
     /// The direction along which alone the point is held.
@@ -91,6 +100,18 @@ struct Row<T> {
     turns: bool,
 }
 
+impl<T: Scalar> Row<T> {
+    /// What a unit along `axis` (world axes) at a point of a link is for it, in its frame.
+    fn load(&self, ws: &Workspace<T>, link: usize, point: &Vector3<T>, axis: Vector3<T>) -> Load<T> {
+        let axis = apply_transposed(&ws.poses[link].rotation, &axis);
+        if self.turns {
+            Load { force: Vector3::zeros(), moment: axis }
+        } else {
+            Load { force: axis, moment: cross(point, &axis) }
+        }
+    }
+}
+
 impl<T: Scalar> Contacts<T> {
     /// Contacts of a figure.
     pub fn new(tree: &Tree<T>, contacts: Vec<ContactConstraint<T>>) -> Self {
@@ -112,7 +133,8 @@ impl<T: Scalar> Contacts<T> {
         &mut self.list
     }
 
-    /// Link and wrench that acts on it (world axes, about the world's origin), by contact, as the last call found them.
+    /// Link and wrench that acts on it (world axes, about the world's origin), by contact, as the last call found them. What it is
+    /// held to bears the opposite, at the point that it is held by.
     pub fn wrenches(&self) -> &[(usize, Wrench<T>)] {
         &self.wrenches
     }
@@ -133,7 +155,7 @@ impl<T: Scalar> Contacts<T> {
     }
 }
 
-/// Hybrid dynamics with contacts: finds their wrenches along with the unknown accelerations and forces.
+/// Hybrid dynamics with contacts and closed loops: finds their wrenches along with the unknown accelerations and forces.
 ///
 /// As [`crate::hybrid_dynamics`], and besides, the contacts' accelerations are prescribed and their wrenches `λ` unknown:
 ///
@@ -155,8 +177,8 @@ impl<T: Scalar> Contacts<T> {
 ///
 /// # Errors
 ///
-/// As for [`crate::hybrid_dynamics`], and [`DynamicsError::Contact`] for a contact with a link that does not exist or a
-/// number that is not finite.
+/// As for [`crate::hybrid_dynamics`], and [`DynamicsError::Contact`] for a contact with a link that does not exist, with itself, or with
+/// a number that is not finite.
 ///
 /// # Examples
 ///
@@ -217,6 +239,11 @@ pub fn contact_dynamics<T: Scalar>(
 
     set_state(tree, workspace, q, v, external)?;
     apply_external(tree, workspace, &contacts.wrenches)?;
+    for contact in 0..contacts.list.len() {
+        if let Some(opposite) = opposite(workspace, contacts, contact) {
+            apply_external(tree, workspace, &[opposite])?;
+        }
+    }
     gather(tree, workspace, held, a, tau);
     accelerate(tree, workspace, &-tree.gravity, held, a, tau);
     check_accelerations(tree, workspace, a)?;
@@ -234,8 +261,11 @@ fn check_contacts<T: Scalar>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(
     for (index, contact) in contacts.list.iter().enumerate() {
         let or_none = |vector: Option<Vector3<T>>| vector.unwrap_or_else(Vector3::zeros);
         let (angular, along) = (or_none(contact.angular), or_none(contact.along));
-        let numbers = [contact.point, contact.acceleration, angular, along];
-        if contact.link >= tree.link_count() || !numbers.iter().all(is_finite) {
+        let (other, point) = contact.other.unwrap_or((tree.link_count(), Vector3::zeros()));
+        let numbers = [contact.point, contact.acceleration, angular, along, point];
+        let exists = contact.link < tree.link_count()
+            && contact.other.is_none_or(|_| other < tree.link_count() && other != contact.link);
+        if !exists || !numbers.iter().all(is_finite) {
             let (contact, last) = (format!("{contact:?}"), tree.link_count() - 1);
             return Err(DynamicsError::Contact { index, contact, last });
         }
@@ -243,18 +273,35 @@ fn check_contacts<T: Scalar>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(
     Ok(())
 }
 
-/// Accelerations of the contacts in the last pass; `moving` takes in what velocities and the gravity of the world bring.
+/// The acceleration of a point of a link (link's frame), and of the link's turning, in the last pass, in world axes; `moving` takes in what
+/// velocities and the gravity of the world bring.
+fn acceleration<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &Workspace<T>,
+    (link, point): (usize, &Vector3<T>),
+    moving: bool,
+) -> [Vector3<T>; 2] {
+    let (motion, rotation) = (&ws.motions[link], &ws.poses[link].rotation);
+    let mut linear = motion.acceleration + cross(&motion.angular_acceleration, point);
+    if moving {
+        linear += cross(&motion.angular, &cross(&motion.angular, point));
+    }
+    let mut linear = apply(rotation, &linear);
+    if moving {
+        linear += tree.gravity;
+    }
+    [linear, apply(rotation, &motion.angular_acceleration)]
+}
+
+/// Accelerations of the contacts in the last pass; `moving` as for [`acceleration`].
 fn measure<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T>, moving: bool) {
     let mut row = 0;
     for contact in &contacts.list {
-        let (motion, pose, r) = (&ws.motions[contact.link], &ws.poses[contact.link], &contact.point);
-        let mut linear = motion.acceleration + cross(&motion.angular_acceleration, r);
-        if moving {
-            linear += cross(&motion.angular, &cross(&motion.angular, r));
-        }
-        let mut linear = apply(&pose.rotation, &linear);
-        if moving {
-            linear += tree.gravity;
+        let [mut linear, mut angular] = acceleration(tree, ws, (contact.link, &contact.point), moving);
+        if let Some((other, point)) = &contact.other {
+            let [away, turning] = acceleration(tree, ws, (*other, point), moving);
+            linear -= away;
+            angular -= turning;
         }
         if let Some(along) = contact.only() {
             contacts.found[row] = along.dot(&linear);
@@ -264,7 +311,6 @@ fn measure<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts
         contacts.found[row..][..3].copy_from_slice(linear.as_slice());
         row += 3;
         if contact.angular.is_some() {
-            let angular = apply(&pose.rotation, &motion.angular_acceleration);
             contacts.found[row..][..3].copy_from_slice(angular.as_slice());
             row += 3;
         }
@@ -303,13 +349,11 @@ fn respond<T: Scalar>(
     let no_force = std::mem::take(&mut ws.zeros);
     for column in 0..contacts.right.len() {
         let Some(row) = contacts.rows().nth(column) else { continue };
-        let axis = apply_transposed(&ws.poses[row.contact.link].rotation, &row.axis);
         ws.loads.fill(Load::zero());
-        ws.loads[row.contact.link] = if row.turns {
-            Load { force: Vector3::zeros(), moment: -axis }
-        } else {
-            Load { force: -axis, moment: -cross(&row.contact.point, &axis) }
-        };
+        ws.loads[row.contact.link] = row.load(ws, row.contact.link, &row.contact.point, -row.axis);
+        if let Some((other, point)) = &row.contact.other {
+            ws.loads[*other] = row.load(ws, *other, point, row.axis);
+        }
         gather_loads(tree, ws, held, &no_force);
         // What is prescribed has no acceleration of its own here: it stays zero in `response`.
         let (a, tau) = (&mut contacts.response, &mut contacts.response_forces);
@@ -337,4 +381,17 @@ fn collect<T: Scalar>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
         let point = ws.poses[contact.link].transform(&contact.point);
         (*link, *wrench) = (contact.link, Wrench::at(&point, force, moment));
     }
+}
+
+/// What a contact's other link bears, where there is one: the opposite force and moment, at its own point.
+fn opposite<T: Scalar>(
+    ws: &Workspace<T>,
+    contacts: &Contacts<T>,
+    contact: usize,
+) -> Option<(usize, Wrench<T>)> {
+    let held = &contacts.list[contact];
+    let (other, point) = held.other.as_ref()?;
+    let (_, wrench) = contacts.wrenches[contact];
+    let besides = wrench.moment_about(&ws.poses[held.link].transform(&held.point));
+    Some((*other, Wrench::at(&ws.poses[*other].transform(point), -wrench.force, -besides)))
 }

@@ -92,6 +92,43 @@ proptest! {
         cases: 60, max_global_rejects: 10_000, failure_persistence: None, ..ProptestConfig::default()
     })]
 
+    /// Two links that are held together part with the acceleration that is asked, and turn so, under opposite wrenches at their points.
+    #[test]
+    fn links_held_together_part_as_prescribed(seed in any::<u64>(), links in 4_usize..9, as_a_whole in any::<bool>()) {
+        let mut random = Random::new(seed);
+        let figure = tree(&mut random, links, 0.3);
+        let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
+        let n = kernel.tree.nv();
+        let (q, v) = (random.slice(n, 2.0), random.slice(n, 1.0));
+        let tau = random.slice(n, 10.0);
+        let matrix = kernel.mass_matrix(&q).expect("valid");
+        let eigenvalues = if n == 0 { DVector::zeros(1) } else { matrix.symmetric_eigenvalues() };
+        prop_assume!(eigenvalues.min() > 1e-4 * eigenvalues.max());
+        let (link, other) = (links - 1, random.below(links - 1));
+        let (own, theirs) = (random.vector(0.3), random.vector(0.3));
+        let held = if as_a_whole { ContactConstraint::fixed(link, own) } else { ContactConstraint::point(link, own) };
+        let contact = ContactConstraint { acceleration: random.vector(2.0), ..held.to(other, theirs) };
+        let (free, nothing) = (vec![false; n], vec![0.0; n]);
+        let solved = solve(&mut kernel, &[contact], [&q, &v], &free, [&nothing, &tau]).expect("valid");
+        let (found, _, wrenches, residuals) = solved;
+        prop_assume!(largest(&residuals) < 1e-9 && largest(&found) < 1e3);
+        let first = acceleration(&mut kernel, &contact, [&q, &v, &found]);
+        let second = acceleration(&mut kernel, &ContactConstraint::point(other, theirs), [&q, &v, &found]);
+        let apart = first - second - contact.acceleration;
+        prop_assert!(apart.norm() < 1e-5 * (1.0 + largest(&found)), "{:?}", apart);
+        kernel.velocities(&q, &v);
+        let place = |link: usize, point: &Vector3<f64>| kernel.workspace.pose(link).transform(point);
+        let (_, wrench) = wrenches[0];
+        let moment = wrench.moment_about(&place(link, &own));
+        prop_assert!(as_a_whole || moment.norm() < 1e-9 * (1.0 + wrench.force.norm()));
+        let opposite = Wrench::at(&place(other, &theirs), -wrench.force, -moment);
+        let both = [(link, wrench), (other, opposite)];
+        let again = kernel.hybrid([&q, &v], &free, [&nothing, &tau], &both).expect("valid");
+        for (x, y) in again[0].iter().zip(&found) {
+            prop_assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()));
+        }
+    }
+
     /// A point that is held along one direction does not move along it, and the force on it has no other direction.
     #[test]
     fn a_point_held_along_a_direction_slides_across_it(seed in any::<u64>(), links in 3_usize..9) {

@@ -1,16 +1,18 @@
-//! Rigid contact: wrenches that hold what stands on the ground.
+//! Rigid contact and closed loops: wrenches that hold what stands on the ground, and links together.
 
+use super::closures::Closure;
 use super::touching::{GroundElement, Lowest};
 use crate::contact::{CALM, ContactPatch};
 use nalgebra::Vector3;
 use solaris_dynamics::{ContactConstraint, Contacts, Scalar, Tree, Workspace, Wrench};
 use solaris_profiles::Elementary;
 
-/// Footholds as conditions on the accelerations of links.
+/// Footholds, and after them closed loops, as conditions on the accelerations of links.
 #[derive(Clone, Debug)]
 pub(super) struct Planted<T> {
     contacts: Contacts<T>,
     holds: Vec<Hold>,
+    closures: Vec<Closure<T>>,
 }
 
 /// A contact patch: its corners, by the indices of the contact points, and its first condition.
@@ -31,10 +33,17 @@ impl Hold {
 }
 
 impl<T: Elementary> Planted<T> {
-    /// Those on this ground.
-    pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, patches: &[ContactPatch]) -> Self {
+    /// Those on this ground, and these loops; none where there are neither.
+    pub(super) fn new(
+        tree: &Tree<T>,
+        ground: Option<&GroundElement<T>>,
+        patches: &[ContactPatch],
+        closures: Vec<Closure<T>>,
+    ) -> Option<Self> {
         let (mut holds, mut list) = (Vec::with_capacity(patches.len()), Vec::new());
-        for patch in patches {
+        let on_ground =
+            ground.into_iter().flat_map(|ground| patches.iter().map(move |patch| (ground, patch)));
+        for (ground, patch) in on_ground {
             let rows = match (patch.is_whole(), patch.slides) {
                 (true, _) => 6,
                 (false, false) => 3,
@@ -52,7 +61,18 @@ impl<T: Elementary> Planted<T> {
             }
             holds.push(hold);
         }
-        Self { contacts: Contacts::new(tree, list), holds }
+        list.extend(closures.iter().map(Closure::condition));
+        (!list.is_empty()).then(|| Self { contacts: Contacts::new(tree, list), holds, closures })
+    }
+
+    /// Whether anything stands on the ground.
+    pub(super) fn has_footholds(&self) -> bool {
+        !self.holds.is_empty()
+    }
+
+    /// The loops, for others to take them over.
+    pub(super) fn into_closures(self) -> Vec<Closure<T>> {
+        self.closures
     }
 
     /// Asks for the accelerations of what stays, at the poses and velocities in `workspace`: none, or those of a sphere that
@@ -61,13 +81,30 @@ impl<T: Elementary> Planted<T> {
     /// ```text
     /// a = ω × (ω × d) − v/T
     /// ```
-    pub(super) fn hold(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
-        self.ask(ground, workspace, T::from_f64(CALM.recip()), T::from_f64(1.0));
+    ///
+    /// and of what loops hold together also what positions are apart, `a = −2v/T − x/T²`.
+    pub(super) fn hold(&mut self, ground: Option<&GroundElement<T>>, workspace: &Workspace<T>) {
+        let calm = T::from_f64(CALM.recip());
+        if let Some(ground) = ground {
+            self.ask(ground, workspace, calm, T::from_f64(1.0));
+        }
+        self.close(workspace, T::from_f64(2.0) * calm, calm * calm);
     }
 
     /// Asks for the jumps of the velocities after which it stands, `Δv = −v`.
-    pub(super) fn stop(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
-        self.ask(ground, workspace, T::from_f64(1.0), T::zero());
+    pub(super) fn stop(&mut self, ground: Option<&GroundElement<T>>, workspace: &Workspace<T>) {
+        if let Some(ground) = ground {
+            self.ask(ground, workspace, T::from_f64(1.0), T::zero());
+        }
+        self.close(workspace, T::from_f64(1.0), T::zero());
+    }
+
+    fn close(&mut self, workspace: &Workspace<T>, damping: T, stiffness: T) {
+        let conditions = self.contacts.contacts_mut();
+        let first = conditions.len() - self.closures.len();
+        for (closure, condition) in self.closures.iter_mut().zip(&mut conditions[first..]) {
+            closure.ask(workspace, condition, damping, stiffness);
+        }
     }
 
     fn ask(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>, calm: T, rolling: T) {
@@ -129,9 +166,15 @@ impl<T: Elementary> Planted<T> {
         most
     }
 
-    /// The force on all of them (N).
+    /// The force of the ground on all of them (N).
     pub(super) fn force(&self) -> Vector3<T> {
-        self.contacts.wrenches().iter().fold(Vector3::zeros(), |sum, (_, wrench)| sum + wrench.force)
+        self.wrenches().fold(Vector3::zeros(), |sum, wrench| sum + wrench.force)
+    }
+
+    /// What each loop does to the link that it holds, about the world's origin, as was found last.
+    pub(super) fn closing(&self) -> &[(usize, Wrench<T>)] {
+        let all = self.contacts.wrenches();
+        &all[all.len() - self.closures.len()..]
     }
 }
 

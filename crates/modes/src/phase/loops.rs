@@ -3,11 +3,12 @@
 use super::reduction::Source;
 use super::rows::{Rows, Sought, WORLD};
 use crate::between::{Between, Kind};
-use crate::body::Body;
+use crate::body::{Body, Closure};
 use crate::convex::Convex;
 use crate::element::{Anchor, LoopKind};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use solaris_model::LinkPlace;
+use solaris_profiles::Elementary;
 
 /// Loops of which dynamics move a part.
 #[derive(Clone)]
@@ -58,6 +59,37 @@ impl Loops {
 
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// The same as conditions on the accelerations of links of the small figure.
+    pub(super) fn closures<T: Elementary>(&self) -> Vec<Closure<T>> {
+        let of = |closed: &Closed| {
+            Closure::new(closed.ends.map(|end| (end.link.map(|(_, small)| small), end.point)), closed.is_weld)
+        };
+        self.0.iter().filter_map(of).collect()
+    }
+
+    /// What [closures](Self::closures) do to links, as `body` found it last.
+    pub(super) fn closing(&mut self, body: &Body<f64>, mut visit: impl FnMut(Between)) {
+        let mut found = body.closing().iter();
+        for closed in &mut self.0 {
+            // As for the closures: none where both ends are the world's.
+            if closed.ends.iter().all(|end| end.link.is_none()) {
+                continue;
+            }
+            let Some((_, wrench)) = found.next() else { return };
+            closed.place(body, true);
+            // The first link is held to the second, or to the world; where the first end is the world's, the second to that.
+            let first = usize::from(closed.ends[0].link.is_none());
+            let sign = if first == 0 { 1.0 } else { -1.0 };
+            visit(Between {
+                links: closed.ends.map(|end| end.link.map(|link| link.0)),
+                points: closed.points,
+                force: wrench.force * sign,
+                moment: wrench.moment_about(&closed.points[first]) * sign,
+                kind: Kind::Loop { index: closed.index, apart: closed.apart[0].norm() },
+            });
+        }
     }
 
     /// How many conditions they have.

@@ -5,6 +5,7 @@ use super::impulses::Impulses;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{GROUND, StateMap, unit};
+use crate::between::Between;
 use crate::body::{Body, Pressure, Pushing};
 use crate::contact::{ContactPatch, count};
 use crate::drive::force::Force;
@@ -31,6 +32,8 @@ pub(super) struct Small {
     planted: Vec<ContactPatch>,
     /// Where the ground and hard limits act by impulses.
     pub(super) impulses: Option<Box<Impulses>>,
+    /// What loops do otherwise, where [`tie`](Self::tie) found it last.
+    between: Vec<Between>,
 }
 
 /// Where the entries of the state are in the small figure.
@@ -87,12 +90,22 @@ impl Small {
         for (q, full) in numbers.q.iter_mut().zip(&reduction.kept_q) {
             *q = prescribed.standing()[*full];
         }
-        Ok(Self { reduction, maps, numbers, duals: None, planted: Vec::new(), impulses: None })
+        Ok(Self {
+            reduction,
+            maps,
+            numbers,
+            duals: None,
+            planted: Vec::new(),
+            impulses: None,
+            between: Vec::new(),
+        })
     }
 
     /// From now on the ground and hard limits act by impulses, in steps of this length (s).
     pub(super) fn act_by_impulses(&mut self, source: &Source, state: &StateMap, step: f64) {
         self.numbers.body.touch_by_impulses(true);
+        self.numbers.body.close(Vec::new());
+        self.duals = None;
         let impulses = Impulses::new(source, &self.reduction, &self.maps, state, step);
         self.impulses = Some(Box::new(impulses));
     }
@@ -148,6 +161,18 @@ impl Small {
     pub(super) fn solve(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
         self.load(prescribed, t, y);
         self.numbers.solve(&self.maps)
+    }
+
+    /// Finds what loops do, in the state that was [solved](Self::solve) last.
+    pub(super) fn tie(&mut self) {
+        let (between, body) = (&mut self.between, &self.numbers.body);
+        between.clear();
+        self.reduction.loops.closing(body, |tied| between.push(tied));
+    }
+
+    /// What links do to each other.
+    pub(super) fn between(&self) -> &[Between] {
+        self.impulses.as_ref().map_or(&self.between, |impulses| impulses.between())
     }
 
     /// Writes the rate of the state that was [solved](Self::solve) last.
@@ -223,6 +248,9 @@ impl Small {
         } else {
             let mut duals = Box::new(Side::new(source, &self.reduction, state)?);
             duals.body.plant(&self.planted);
+            if self.impulses.is_some() {
+                duals.body.close(Vec::new());
+            }
             duals
         };
         let duals = self.duals.insert(duals);
@@ -306,10 +334,12 @@ impl<T: Elementary> Side<T> {
     fn new(source: &Source, reduction: &Reduction, state: &StateMap) -> Result<Self, DynamicsError> {
         let Reduction { figure, springs, limits, surface, kept_q, kept_v, .. } = reduction;
         let zeros = |length: usize| vec![T::zero(); length];
+        let mut body = Body::compile(figure, source.gravity, springs, limits)?
+            .on(surface.as_ref())
+            .pushed(&reduction.pushes);
+        body.close(reduction.loops.closures());
         Ok(Self {
-            body: Body::compile(figure, source.gravity, springs, limits)?
-                .on(surface.as_ref())
-                .pushed(&reduction.pushes),
+            body,
             q: zeros(kept_q.len()),
             v: zeros(kept_v.len()),
             a: zeros(kept_v.len()),

@@ -3,7 +3,8 @@
 use super::guard;
 use super::pass::Pass;
 use super::record::near;
-use crate::body::Body;
+use crate::body::{Body, Closure};
+use crate::element::{Loop, LoopKind};
 use crate::failure::{RunError, SetupError};
 use crate::impact::{Struck, strike};
 use crate::simulation::Simulation;
@@ -15,6 +16,13 @@ pub(crate) fn whole_body(simulation: &Simulation, by_impulses: bool) -> Result<B
     let on: Vec<_> = pushes.iter().map(|push| (push.link, push.point)).collect();
     let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()).pushed(&on);
     body.touch_by_impulses(by_impulses);
+    if !by_impulses {
+        let closure = |closed: &Loop| {
+            let ends = closed.between.map(|anchor| (anchor.link, anchor.point));
+            Closure::new(ends, closed.kind == LoopKind::Weld)
+        };
+        body.close(simulation.loops.iter().filter_map(closure).collect());
+    }
     Ok(body)
 }
 

@@ -2,6 +2,7 @@
 
 use crate::report::{Energy, EnergyReport};
 use crate::simulation::Simulation;
+use nalgebra::Vector3;
 
 /// Accounts of energy over a pass (J).
 #[derive(Clone, Debug, Default)]
@@ -86,14 +87,19 @@ impl Ledger {
     }
 }
 
-/// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
+/// An energy (J) that is little for the figure: to lift it by a hundredth of its height, or of how long it is where all of it is on one
+/// level.
 pub(crate) fn least_energy(simulation: &Simulation) -> f64 {
     let Simulation { figure, gravity, .. } = simulation;
-    if gravity.norm() > 0.0 {
-        0.01 * figure.mass() * gravity.norm() * figure.extent(&-gravity).height
-    } else {
-        0.0
+    if gravity.norm() == 0.0 {
+        return 0.0;
     }
+    let along = |direction: Vector3<f64>| figure.extent(&direction).height;
+    let height = match along(-gravity) {
+        0.0 => [Vector3::x(), Vector3::y(), Vector3::z()].map(along).into_iter().fold(0.0, f64::max),
+        height => height,
+    };
+    0.01 * figure.mass() * gravity.norm() * height
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::active_contacts::state::ActiveContacts;
 use super::carries::whole_body;
+use super::closing;
 use super::driven::{Driven, Meaning, Mode};
 use super::guard;
 use super::ledger::{Ledger, least_energy};
@@ -141,15 +142,18 @@ impl Pass {
         settings: &Settings,
         stepping: Stepping,
     ) -> Result<Self, RunError> {
-        let touch = simulation.collisions.is_some();
-        if (touch || !simulation.loops.is_empty()) && !matches!(stepping, Stepping::Impulses { .. }) {
-            return Err(SetupError::NeedsImpulses { touch }.into());
+        let by_impulses = matches!(stepping, Stepping::Impulses { .. });
+        if simulation.collisions.is_some() && !by_impulses {
+            return Err(SetupError::NeedsImpulses.into());
         }
         let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
-        let body = whole_body(simulation, matches!(stepping, Stepping::Impulses { .. }))?;
+        let mut body = whole_body(simulation, by_impulses)?;
+        if !by_impulses {
+            closing::check(simulation, &mut body, &q, &v)?;
+        }
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation: Arc::clone(simulation),

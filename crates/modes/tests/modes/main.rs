@@ -12,6 +12,7 @@ mod hanging;
 mod limits;
 mod limits_random;
 mod loops;
+mod loops_by_forces;
 mod plan;
 mod present;
 mod pushes;

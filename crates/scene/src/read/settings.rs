@@ -82,18 +82,19 @@ impl SceneReader<'_> {
         Some(Method::Fixed { rule, step: self.reader.positive(step, "the step", "s")? })
     }
 
-    /// Links that touch each other, or are held together, need steps by impulses.
+    /// Links that touch each other need steps by impulses.
     fn check_method(&mut self, fields: &Fields<'_, '_>, method: Option<Method>) {
-        if !self.needs_impulses() || matches!(method, None | Some(Method::Impulses { .. })) {
+        let touch = self.simulation.as_ref().is_some_and(|simulation| simulation.collisions().is_some());
+        if !touch || matches!(method, None | Some(Method::Impulses { .. })) {
             return;
         }
         if let Some(node) = fields.get("method").or(fields.get("tolerance")) {
-            let message = "links that touch each other, or are held together, need steps by impulses; write \
-                           method: Impulses(step: 1e-3), or leave this out";
+            let message = "links that touch each other need steps by impulses; write method: Impulses(step: 1e-3), or leave this out";
             self.reader.fault(node.place(), message);
         }
     }
 
+    /// Whether steps are by impulses where nothing else is said.
     fn needs_impulses(&self) -> bool {
         let needs =
             |simulation: &Simulation| simulation.collisions().is_some() || !simulation.loops().is_empty();

@@ -178,7 +178,6 @@ fn of_links_that_touch_and_loops() {
         "loops: [Weld(between: ((\"tip\", (0, 0, 0)), (\"tip\", (0, 0, 1))))]",
         "loops: [Weld(between: ((\"tipp\", (0, 0, 0)), (\"world\", (0, 0, 1))))]",
         "loops: [Weld(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0, 1))), stiffness: 3)]",
-        "tolerance: 1e-6, loops: [Connect(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0, 1))))]",
     ]);
     for case in [
         "duration: 1, collisions: Collisions(friction: 0.5, between: [(\"left_hand\", \"right_hnd\")])",

@@ -120,7 +120,8 @@ fn cast<T: Scalar>(numbers: &[f64]) -> Vec<T> {
 }
 
 /// `‖found − right‖ / ‖right‖`; an exact answer counts as one of 1e-20.
-fn error<T: Copy + Into<f64>>(found: &[T], right: &[DoubleDouble]) -> f64 {
+/// `‖x − x*‖ / ‖x*‖`.
+pub(super) fn error<T: Copy + Into<f64>>(found: &[T], right: &[DoubleDouble]) -> f64 {
     let norm = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
     let mut differences =
         found.iter().zip(right).map(|(x, right)| (DoubleDouble::from((*x).into()) - *right).to_f64());
