@@ -46,6 +46,7 @@ cargo lab CHORE
                                     docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
   report chosen                     counts what a tolerance of the run takes beside the cheapest setting of every scene, into docs/trust.md
                                     and docs/trust/chosen.svg
+  report published                  solves problems whose answers others have published, into docs/benchmarks.md
   report stepping                   times simulations beside MuJoCo's into docs/trust.md and docs/trust/stepping.svg, where PYTHON (python3) has the
                                     packages mujoco, numpy and scipy, and CC (cc) compiles C
   subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
@@ -83,6 +84,7 @@ fn main() -> ExitCode {
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),
         ["report", "chosen"] => report::chosen(),
+        ["report", "published"] => report::published(),
         ["report", "stepping"] => report::stepping(),
         ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {

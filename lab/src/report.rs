@@ -7,6 +7,7 @@ mod moments;
 pub(crate) mod page;
 mod plot;
 mod profiles;
+mod published;
 mod simulation;
 mod speed;
 
@@ -33,6 +34,7 @@ pub(crate) fn run() -> Result<(), String> {
     docs::run(docs::Options::default())?;
     profiles::run()?;
     simulation::run()?;
+    published::run()?;
     let measured = measure(|case| {
         eprintln!("report: times, {}", case.name);
         speeds(case, speed::measure)
@@ -89,6 +91,11 @@ pub(crate) fn adaptive() -> Result<(), String> {
 /// What a tolerance of the run costs beside the cheapest setting.
 pub(crate) fn chosen() -> Result<(), String> {
     simulation::chosen()
+}
+
+/// Problems whose answers others have published.
+pub(crate) fn published() -> Result<(), String> {
+    published::run()
 }
 
 /// Simulations beside MuJoCo's, where it is at hand.

@@ -160,13 +160,43 @@ pub(super) fn governor_fixed() -> Result<Table, String> {
 
 /// Mass ratios far from one.
 pub(super) fn ratios() -> Result<Table, String> {
-    let row = |(ratio, error): &(f64, [f64; 3])| {
-        let [coarse, fine, known] = *error;
-        vec![Cell::text(format!("1 : {ratio:e}")), cell(coarse), cell(fine), cell(known)]
+    let row = |(ratio, errors): &(f64, extremes::Errors)| {
+        let cells = match errors {
+            Ok(errors) => errors.map(cell),
+            Err(said) => [Cell::text(said), Cell::text("–"), Cell::text("–")],
+        };
+        std::iter::once(Cell::text(format!("1 : {ratio:e}"))).chain(cells).collect()
     };
     Ok(Table {
         header: vec!["masses, upper : lower", "Runge-Kutta 4, 1e-2 s", "Runge-Kutta 4, 1e-3 s", "known to"],
         rows: extremes::ratios()?.iter().map(row).collect(),
+    })
+}
+
+/// Single evaluations far from ordinary.
+fn evaluations() -> Result<Table, String> {
+    let row = |(name, losses): &(&'static str, [f64; 2])| {
+        std::iter::once(Cell::text(*name)).chain(losses.map(|loss| Cell::Numbers(vec![loss]))).collect()
+    };
+    Ok(Table {
+        header: vec!["lost, f64", "inverse dynamics", "forward dynamics"],
+        rows: extremes::evaluations()?.iter().map(row).collect(),
+    })
+}
+
+/// A million seconds.
+fn long() -> Result<Table, String> {
+    let row = |(method, [off, energy], evaluations): &(Method, [f64; 2], u64)| {
+        vec![
+            Cell::text(format!("{}, {}", method_name(*method), setting(*method))),
+            cell(*off),
+            cell(*energy),
+            Cell::Numbers(vec![*evaluations as f64]),
+        ]
+    };
+    Ok(Table {
+        header: vec!["pendulum, 1e6 s", "off (rad)", "energy, share", "evaluations"],
+        rows: extremes::long()?.iter().map(row).collect(),
     })
 }
 
@@ -229,6 +259,8 @@ pub(super) fn all() -> Result<Vec<(&'static str, Table)>, String> {
         ("governor", governor_fixed()?),
         ("ratios", ratios()?),
         ("stiffness", stiffness()?),
+        ("far evaluations", evaluations()?),
+        ("a million seconds", long()?),
         ("precisions", precisions()?),
         ("in-betweens", in_betweens()),
     ])
