@@ -66,17 +66,13 @@ impl Loops {
         let of = |closed: &Closed| {
             Closure::new(closed.ends.map(|end| (end.link.map(|(_, small)| small), end.point)), closed.is_weld)
         };
-        self.0.iter().filter_map(of).collect()
+        self.0.iter().filter(|closed| closed.is_open()).filter_map(of).collect()
     }
 
     /// What [closures](Self::closures) do to links, as `body` found it last.
     pub(super) fn closing(&mut self, body: &Body<f64>, mut visit: impl FnMut(Between)) {
         let mut found = body.closing().iter();
-        for closed in &mut self.0 {
-            // As for the closures: none where both ends are the world's.
-            if closed.ends.iter().all(|end| end.link.is_none()) {
-                continue;
-            }
+        for closed in self.0.iter_mut().filter(|closed| closed.is_open()) {
             let Some((_, wrench)) = found.next() else { return };
             closed.place(body, true);
             // The first link is held to the second, or to the world; where the first end is the world's, the second to that.
@@ -163,6 +159,12 @@ impl Loops {
 }
 
 impl Closed {
+    /// Whether its ends are on two links: what stands still in between makes one of them.
+    fn is_open(&self) -> bool {
+        let [first, second] = self.ends.map(|end| end.link.map(|(_, small)| small));
+        first != second
+    }
+
     /// The acceleration of the first point relative to the second, and of the first link's turning.
     fn arcs(&self, body: &Body<f64>) -> [Vector3<f64>; 2] {
         let [first, second] = [0, 1].map(|i| {

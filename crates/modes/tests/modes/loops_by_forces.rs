@@ -242,6 +242,20 @@ fn a_limit_turns_the_whole_linkage_round() {
     assert!((q[0] - q[2]).abs() < 1e-6 && (v[0] - v[2]).abs() < 1e-5, "{q:?} {v:?}");
 }
 
+/// Where the joints between stand still, a loop holds what holds anyway.
+#[test]
+fn a_loop_around_what_is_frozen_holds_nothing() {
+    let figure = four_bar();
+    let mut simulation = parallelogram(&figure, 0.0);
+    let within = [("first", Vector3::y() * -0.5), ("coupler", Vector3::zeros())];
+    simulation.add_loop(closed(&figure, LoopKind::Weld, within)).expect("valid");
+    simulation.drive("coupler.rz", vec![Drive::Frozen]).expect("valid");
+    simulation.set_start(&[0.0; 3], &[0.0; 3]).expect("valid");
+    let run = simulation.run(&by(Method::Automatic { tolerance: 1e-6 }, 0.2)).expect("runs");
+    // The loop of the parallelogram leaves nothing to move then.
+    assert!(run.motion.q(20).iter().all(|q| q.abs() < 1e-9), "{:?}", run.motion.q(20));
+}
+
 #[test]
 fn what_begins_open_is_refused() {
     let figure = four_bar();
