@@ -29,6 +29,46 @@ fn the_pendulum_is_where_elliptic_functions_say() {
 }
 
 #[test]
+fn the_squeezer_ends_where_the_test_set_says() {
+    // beta, theta, gamma, delta, phi, epsilon, omega after 30 ms: Test Set for IVP Solvers, release 2.4.
+    let known = [
+        15.810_771_196_299_04,
+        -15.756_371_059_842_98,
+        0.040_822_240_130_731_01,
+        0.524_409_965_880_530_4,
+        -0.534_730_116_322_694_8,
+        1.048_080_741_042_263,
+        0.534_730_116_322_694_8,
+    ];
+    let simulated = simulated("squeezer.ron");
+    let off = simulated.motion.q(60).iter().zip(known).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-6, "off by {off:e}");
+    assert!(simulated.report.loops.iter().all(|held| held.apart < 1e-8), "{:?}", simulated.report.loops);
+}
+
+/// Two boxes that are welded fall flat on the ground and stay there: it gives all of `m·g·t`, and the weld takes no harm.
+#[test]
+fn what_is_welded_comes_down_together() {
+    let text = r#"Scene(
+        version: 1,
+        figures: {"pair": Figure(name: "pair", links: [
+            Link(name: "frame", joint: Joint(name: "frame")),
+            Link(name: "a", parent: "frame", joint: Free(name: "a", at: (0, 0.5, 0)), mass: 2.0, solid: Box(size: (0.2, 0.2, 0.2))),
+            Link(name: "b", parent: "frame", joint: Free(name: "b", at: (0.3, 0.5, 0)), mass: 1.0, solid: Box(size: (0.2, 0.2, 0.2))),
+        ])},
+        ground: Flat(friction: 0.8, contact: Rigid),
+        duration: 1.0, rate: 60.0, tolerance: 1e-6,
+        loops: [Weld(between: (("a", (0.15, 0, 0)), ("b", (-0.15, 0, 0))))],
+    )"#;
+    let simulated = read(text, &mut NoFiles).expect("a scene").simulate(&mut ()).expect("runs");
+    let last = simulated.motion.q(60);
+    assert!((last[1] + 0.4).abs() < 1e-9 && (last[8] + 0.4).abs() < 1e-9, "{last:?}");
+    let contact = simulated.report.ground.as_ref().expect("a ground");
+    assert!((contact.impulse[1] - 3.0 * 9.80665).abs() < 1e-6, "{:?}", contact.impulse);
+    assert!(simulated.report.loops[0].apart < 1e-8, "{:?}", simulated.report.loops);
+}
+
+#[test]
 fn the_heavy_top_precesses_steadily() {
     let simulated = simulated("tops.ron");
     let precession = 3.528_224_307_598_522_5;
