@@ -8,12 +8,16 @@ use glam::{DQuat, DVec3};
 use solaris_dynamics::{Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
 
-/// Most frames a second that a page holds (1/s).
+/// Most frames a second that a page holds (1/s), where these are more than 60 in all.
 pub const FRAME_RATE: f64 = 60.0;
+
+/// Frames that what lasts for less than a second may have all the same: it is looked at slowly.
+const FEW: usize = 60;
 
 /// The samples that become frames: every n-th from the first on.
 pub(crate) fn chosen(motion: &Motion) -> Vec<usize> {
     let step = (motion.info.rate / FRAME_RATE - 1e-9).ceil().max(1.0) as usize;
+    let step = step.min(motion.len().saturating_sub(1) / FEW).max(1);
     (0..motion.len()).step_by(step).collect()
 }
 
@@ -95,5 +99,40 @@ impl Frames {
     /// Height of the lowest point at any time (m).
     pub(crate) fn lowest(&self) -> f64 {
         self.boxes.iter().map(|bounds| bounds.low.y).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solaris_model::{FigureBuilder, Joint, LinkSpec, MotionInfo};
+
+    fn frames(rate: f64, duration: f64) -> usize {
+        let figure = FigureBuilder::new("hinge")
+            .link(LinkSpec::root("rod", Joint::new("pivot").rz()).mass(1.0))
+            .build()
+            .expect("valid");
+        let count = (rate * duration).round() as usize + 1;
+        let times = (0..count).map(|i| i as f64 / rate).collect();
+        let info = MotionInfo {
+            fingerprint: figure.fingerprint(),
+            gravity: nalgebra::Vector3::zeros(),
+            ground: None,
+            rate,
+        };
+        let columns = [vec![0.0; count], vec![0.0; count], vec![0.0; count]];
+        chosen(&Motion::new(&figure, info, times, columns).expect("valid")).len()
+    }
+
+    #[test]
+    fn sixty_a_second_and_all_of_what_is_short() {
+        assert_eq!(frames(60.0, 2.0), 121);
+        assert_eq!(frames(120.0, 2.0), 121);
+        assert_eq!(frames(1000.0, 2.0), 118);
+        assert_eq!(frames(120.0, 1.0), 61);
+        assert_eq!(frames(120.0, 0.5), 61);
+        assert_eq!(frames(2000.0, 0.03), 61);
+        assert_eq!(frames(1e5, 0.03), 61);
+        assert_eq!(frames(30.0, 0.1), 4);
     }
 }
