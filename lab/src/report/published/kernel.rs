@@ -17,7 +17,7 @@ pub(super) fn table() -> Result<Table, String> {
                     Cell::text(test),
                     Cell::text(what),
                     Cell::text(published),
-                    Cell::Numbers(vec![off.max(1e-16)]),
+                    Cell::Numbers(vec![off.max(1e-13)]),
                 ]
             })
             .collect(),

@@ -25,7 +25,7 @@ pub(super) fn by_impulses() -> Result<Table, String> {
         for step in steps {
             let solved = problem.solve(Method::Impulses { step });
             let Outcome { off, run, time } = solved.map_err(|error| format!("{}: {error}", problem.name))?;
-            let apart = run.report.loops.iter().map(|held| held.apart).fold(1e-13, f64::max);
+            let apart = run.report.loops.iter().map(|held| held.apart).fold(1e-10, f64::max);
             row.push(Cell::Numbers(vec![off, apart]));
             row.push(Cell::Time(duration(time * 1e6)));
         }
