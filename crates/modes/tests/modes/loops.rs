@@ -34,7 +34,24 @@ pub(crate) fn closed(figure: &Figure, kind: LoopKind, [first, second]: [(&str, V
     Loop { between: [anchor(first), anchor(second)], kind }
 }
 
-/// With `θ̈ = −g·(m + M)/(2m/3 + M)·sin θ/L` for cranks `m`, a coupler `M` and the length `L` of the cranks.
+/// The angle after `seconds` of a pendulum that is let go at `angle`, `θ̈ = −k·sin θ`, by Runge and Kutta's rule, fine enough.
+pub(crate) fn swung(mut angle: f64, k: f64, seconds: f64) -> f64 {
+    let (mut rate, h) = (0.0, 1e-4);
+    let acceleration = |angle: f64| -k * angle.sin();
+    for _ in 0..(seconds / h).round() as usize {
+        let (k1, l1) = (rate, acceleration(angle));
+        let (k2, l2) = (rate + 0.5 * h * l1, acceleration(angle + 0.5 * h * k1));
+        let (k3, l3) = (rate + 0.5 * h * l2, acceleration(angle + 0.5 * h * k2));
+        let (k4, l4) = (rate + h * l3, acceleration(angle + h * k3));
+        angle += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+        rate += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
+    }
+    angle
+}
+
+/// Cranks of 1 kg, a coupler of 2 kg: `θ̈ = −g·(m + M)/(2m/3 + M)·sin θ/L`.
+pub(crate) const RATE: f64 = G * 3.0 / (2.0 / 3.0 + 2.0) / 0.5;
+
 #[test]
 fn a_parallelogram_swings_as_one_pendulum_and_stays_closed() {
     let figure = four_bar();
@@ -44,17 +61,7 @@ fn a_parallelogram_swings_as_one_pendulum_and_stays_closed() {
     let ends = [("coupler", Vector3::x() * 0.8), ("second", Vector3::y() * -0.5)];
     simulation.add_loop(closed(&figure, LoopKind::Connect, ends)).expect("valid");
     let run = |step| simulation.run(&settings(5.0, step)).expect("never refused");
-    // Runge and Kutta's rule, fine enough.
-    let acceleration = |angle: f64| -G * 3.0 / (2.0 / 3.0 + 2.0) * angle.sin() / 0.5;
-    let (mut angle, mut rate, h) = (start, 0.0, 1e-4);
-    for _ in 0..50_000 {
-        let (k1, l1) = (rate, acceleration(angle));
-        let (k2, l2) = (rate + 0.5 * h * l1, acceleration(angle + 0.5 * h * k1));
-        let (k3, l3) = (rate + 0.5 * h * l2, acceleration(angle + 0.5 * h * k2));
-        let (k4, l4) = (rate + h * l3, acceleration(angle + h * k3));
-        angle += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-        rate += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
-    }
+    let angle = swung(start, RATE, 5.0);
     let off = |run: &Run| (run.motion.q(500)[0] - angle).abs();
     let (coarse, fine) = (run(1e-3), run(5e-4));
     assert!(off(&coarse) < 0.03 && off(&fine) < 0.6 * off(&coarse), "{} {}", off(&coarse), off(&fine));

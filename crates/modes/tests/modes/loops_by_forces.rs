@@ -1,6 +1,6 @@
 //! Closed loops by methods that know no impulses: forces hold them, as exactly as the method is.
 
-use crate::loops::{G, closed, four_bar, rod};
+use crate::loops::{G, RATE, closed, four_bar, rod, swung};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
@@ -21,24 +21,6 @@ fn parallelogram(figure: &Figure, start: f64) -> Simulation {
 fn by(method: Method, duration: f64) -> Settings {
     Settings { method, ..Settings::new(duration, 100.0) }
 }
-
-/// The angle after `seconds` of a pendulum that is let go at `angle`, `θ̈ = −k·sin θ`, by Runge and Kutta's rule, fine enough.
-fn swung(mut angle: f64, k: f64, seconds: f64) -> f64 {
-    let (mut rate, h) = (0.0, 1e-4);
-    let acceleration = |angle: f64| -k * angle.sin();
-    for _ in 0..(seconds / h).round() as usize {
-        let (k1, l1) = (rate, acceleration(angle));
-        let (k2, l2) = (rate + 0.5 * h * l1, acceleration(angle + 0.5 * h * k1));
-        let (k3, l3) = (rate + 0.5 * h * l2, acceleration(angle + 0.5 * h * k2));
-        let (k4, l4) = (rate + h * l3, acceleration(angle + h * k3));
-        angle += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-        rate += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
-    }
-    angle
-}
-
-/// Cranks of 1 kg, a coupler of 2 kg: `θ̈ = −g·(m + M)/(2m/3 + M)·sin θ/L`.
-const RATE: f64 = G * 3.0 / (2.0 / 3.0 + 2.0) / 0.5;
 
 #[test]
 fn a_parallelogram_is_as_exact_as_the_tolerance() {
@@ -100,7 +82,6 @@ fn welds_bear_forces_and_moments() {
         .build()
         .expect("valid");
     let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
-    // The world is the second end of one weld and, by the frame that stands in it, the first of the other.
     let held = [("near", Vector3::x() * -0.4), ("frame", Vector3::x() * -0.4)];
     simulation.add_loop(closed(&figure, LoopKind::Weld, held)).expect("valid");
     let beside = [("near", Vector3::x() * 0.25), ("far", Vector3::x() * -0.25)];
@@ -131,7 +112,7 @@ fn welded_bodies_tumble_as_one() {
     let velocity = |x: f64| spin.cross(&(Vector3::x() * x));
     let v: Vec<f64> =
         [0.3, -0.3].iter().flat_map(|x| [velocity(*x), spin]).flat_map(|v| [v.x, v.y, v.z]).collect();
-    let (_, q) = (0, simulation.state().0.to_vec());
+    let q = simulation.state().0.to_vec();
     simulation.set_start(&q, &v).expect("valid");
     let weld = [("left", Vector3::x() * -0.3), ("right", Vector3::x() * 0.3)];
     simulation.add_loop(closed(&figure, LoopKind::Weld, weld)).expect("valid");
@@ -216,10 +197,9 @@ fn apart(figure: &Figure, run: &Run) -> f64 {
 /// A crank that comes to its limit throws back all that hangs on it.
 #[test]
 fn a_limit_turns_the_whole_linkage_round() {
-    let limited = |link: LinkSpec| rod(link);
     let figure = FigureBuilder::new("four-bar")
         .link(LinkSpec::root("frame", Joint::new("frame")).mass(1.0))
-        .link(limited(LinkSpec::child("first", "frame", Joint::new("first").rz().limited(-0.5, 2.0))))
+        .link(rod(LinkSpec::child("first", "frame", Joint::new("first").rz().limited(-0.5, 2.0))))
         .link(
             LinkSpec::child("coupler", "first", Joint::new("coupler").at(Vector3::y() * -0.5).rz())
                 .mass(2.0)
