@@ -1,16 +1,16 @@
 // How long frames take while somebody is steered.
 //
-//     node chores/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE] [--push]
+//     node chores/frames.mjs [--seconds 60] [--size 1400x860] [--page FILE] [--push] [--undrawn]
 //
 // Walks in a curve by keys that are held, pulled aside all the while with --push, and prints frames a second, the times between frames after the first second, the page's own work and the engine's
-// answers, and what the picture cost in the process that draws. Where other programs share the processors compare ratios, and that cost.
+// answers, and what the picture cost in the process that draws. With --undrawn nothing is drawn, and the engine's answers are all that is told: its own share. Where other programs share the processors compare ratios, and that cost.
 
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 
-const { values } = parseArgs({ options: { seconds: { type: 'string', default: '60' }, size: { type: 'string', default: '1400x860' }, page: { type: 'string' }, push: { type: 'boolean' } } });
+const { values } = parseArgs({ options: { seconds: { type: 'string', default: '60' }, size: { type: 'string', default: '1400x860' }, page: { type: 'string' }, push: { type: 'boolean' }, undrawn: { type: 'boolean' } } });
 const file = values.page ?? fileURLToPath(new URL('../dist/studio.html', import.meta.url));
 const [width, height] = values.size.split('x').map(Number);
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
@@ -59,11 +59,12 @@ if (values.push) {
 }
 await page.waitForTimeout(1000);
 const before = drawer && computed(drawer);
-const found = await page.evaluate(async (seconds) => {
+const found = await page.evaluate(async ([seconds, undrawn]) => {
   const { picture } = studio.show;
   const { draw } = picture;
   const [frames, draws, answers] = [[], [], []];
   picture.draw = () => {
+    if (undrawn) return false;
     const from = performance.now();
     const drew = draw();
     if (drew) draws.push(performance.now() - from);
@@ -91,7 +92,7 @@ const found = await page.evaluate(async (seconds) => {
   picture.draw = draw;
   const { renderer } = picture.stage;
   return { frames: frames.slice(1), draws, answers, size: `${renderer.domElement.width}x${renderer.domElement.height}`, lines: renderer.info.render.lines, triangles: renderer.info.render.triangles };
-}, Number(values.seconds));
+}, [Number(values.seconds), values.undrawn]);
 const cost = drawer && computed(drawer) - before;
 await browser.close();
 await server.close();
@@ -99,7 +100,12 @@ await server.close();
 const at = (numbers, share) => [...numbers].sort((a, b) => a - b)[Math.min(numbers.length - 1, Math.floor(share * numbers.length))] ?? NaN;
 const ms = (value) => value.toFixed(1);
 const sum = found.frames.reduce((a, b) => a + b, 0);
+const answered = `engine there and back: median ${ms(at(found.answers, 0.5))} ms, 95 % ${ms(at(found.answers, 0.95))} ms, most ${ms(Math.max(...found.answers))} ms`;
+if (values.undrawn) {
+  console.log(`${found.answers.length} frames; ${answered}`);
+  process.exit();
+}
 console.log(`${((1000 * found.frames.length) / sum).toFixed(1)} frames/s over ${(sum / 1000).toFixed(0)} s; ${found.draws.length} pictures of ${found.size}, ${found.triangles} triangles, ${found.lines} lines`);
 console.log(`between frames: median ${ms(at(found.frames, 0.5))} ms, 95 % ${ms(at(found.frames, 0.95))} ms, most ${ms(Math.max(...found.frames))} ms, ${found.frames.filter((time) => time > 50).length} above 50 ms`);
-console.log(`page's drawing: median ${ms(at(found.draws, 0.5))} ms; engine there and back: median ${ms(at(found.answers, 0.5))} ms, 95 % ${ms(at(found.answers, 0.95))} ms`);
+console.log(`page's drawing: median ${ms(at(found.draws, 0.5))} ms; ${answered}`);
 if (drawer) console.log(`the process that draws computed ${ms(cost / found.draws.length)} ms a picture`);
