@@ -22,10 +22,10 @@
 //! | `Vrm`, `Unity` | `upperChest` in the thorax |
 //! | `Unreal` | `spine_02` in the abdomen, `spine_04` and `spine_05` in the thorax, `neck_02` in the neck |
 //! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
-//! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck |
+//! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck; `LeftFingerBase` in the palm |
 //!
 //! Fingers and, of `Vrm` and `Unity`, eyes are such bones, too, each with what of the skin is its own, so that they can be posed: at rest fingers
-//! hang as they do in the skin, a little bent, their frames along the world's axes. `Smpl` and `Cmu` have none.
+//! hang as they do in the skin, a little bent, their frames along the world's axes. `Cmu` has a thumb and one bone for the four fingers, `Smpl` none.
 //!
 //! Names of one's own are a [`RigMap`], which has no fingers. Local axes are the world's at rest, as VRM has it, not each program's own.
 

@@ -7,6 +7,7 @@ use solaris_model::{
     UnitQuaternion, Vector3,
 };
 use solaris_skin::{Detail, Influence, Skin, parts, skin};
+use std::collections::HashSet;
 
 /// A figure on a rig's bones.
 #[derive(Clone, Debug)]
@@ -45,6 +46,7 @@ impl Rigged {
         let mut ends: Vec<(&str, Vector3<f64>)> = Vec::new();
         let mut builder = FigureBuilder::new(figure.name());
         let parts = parts(figure);
+        let mut made = HashSet::new();
         for (index, link) in figure.links().iter().enumerate() {
             let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
             let Some(name) = name else {
@@ -78,11 +80,14 @@ impl Rigged {
                 end = (between.bone, at);
             }
             for part in parts.iter().filter(|part| part.link == index) {
-                let Some(bone) = rig.part(&part.name) else { continue };
+                // One bone may be several parts: CMU's four fingers are one, from the first one's knuckle on.
+                let Some(bone) = rig.part(&part.name).filter(|bone| made.insert(*bone)) else { continue };
                 let above = part.parent.map(|i| &parts[i]);
-                let above = above.and_then(|above| Some((rig.part(&above.name)?, above.at)));
-                let (parent, from) = above.unwrap_or((name, Vector3::zeros()));
-                let fixed = Joint::new(bone).at(turn.inverse() * (part.at - from));
+                let above = above.and_then(|above| Some((rig.part(&above.name)?, turn.inverse() * above.at)));
+                // Thumbs hang on the hand itself, fingers on what goes on from it.
+                let root = if part.name.contains("thumb") { (name, Vector3::zeros()) } else { end };
+                let (parent, from) = above.unwrap_or(root);
+                let fixed = Joint::new(bone).at(turn.inverse() * part.at - from);
                 builder = builder.link(LinkSpec::child(bone, parent, fixed));
             }
             turns.push(turn);

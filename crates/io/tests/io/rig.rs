@@ -7,6 +7,7 @@ use solaris_io::rig::{Rest, Rig, RigMap, Rigged};
 use solaris_model::rig::{Segment, Side, bones};
 use solaris_model::{Figure, FigureBuilder, Human, Joint, LinkSpec, Motion, Vector3};
 use solaris_skin::{Detail, skin};
+use std::collections::BTreeSet;
 
 fn walked() -> (Figure, Motion) {
     let figure = Human::new(1.75, 73.0).build().expect("a person");
@@ -290,10 +291,11 @@ fn fingers_and_eyes_are_bones_that_take_what_is_theirs_of_the_skin() {
         (Rig::Unreal, 30, "hand_r index_01_r index_02_r index_03_r"),
         (Rig::Unity, 32, "Head RightEye"),
         (Rig::Smpl, 0, "left_wrist left_hand"),
-        (Rig::Cmu, 0, "LeftForeArm LeftHand"),
+        (Rig::Cmu, 4, "LeftForeArm LeftHand LeftFingerBase LeftHandIndex1"),
+        (Rig::Cmu, 4, "RightHand RThumb"),
     ] {
         let on = Rigged::new(&figure, rig).expect("on the rig");
-        let parts: Vec<_> =
+        let parts: BTreeSet<_> =
             own.parts.iter().filter_map(|part| on.figure.link_index(rig.part(&part.name)?)).collect();
         assert_eq!(parts.len(), bones, "{rig:?}");
         let links = on.figure.links();
