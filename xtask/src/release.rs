@@ -1,6 +1,7 @@
 //! The chore that goes through a release without making one: everything that must hold before something is published, step by
 //! step. Nothing is uploaded, tagged or changed outside of the folder of compiled things.
 
+mod alone;
 mod bill;
 mod features;
 mod licences;
@@ -26,7 +27,7 @@ enum Done {
 type Step = fn(&State) -> Result<Done, String>;
 
 /// The steps: what needs no compiling first. Each has a name to ask for it by.
-const STEPS: [(&str, Step); 12] = [
+const STEPS: [(&str, Step); 13] = [
     ("versions", versions::equal),
     ("changelog", versions::changelog),
     ("compiler", versions::compiler),
@@ -39,6 +40,7 @@ const STEPS: [(&str, Step); 12] = [
     ("built", packages::built),
     ("minimal", minimal::check),
     ("features", features::check),
+    ("alone", alone::check),
 ];
 
 /// What the chore was asked.
