@@ -2,7 +2,7 @@
 
 use crate::support::Kernel;
 use nalgebra::{DMatrix, Vector3};
-use solaris_dynamics::{DynamicsError, Tree, Workspace, Wrench, mass_matrix};
+use solaris_dynamics::{DynamicsError, Tree, Workspace, Wrench, forward_kinematics, mass_matrix};
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, human};
 
 fn slider() -> Figure {
@@ -76,6 +76,23 @@ fn an_overflow_is_named() {
     assert!(solaris_dynamics::potential_energy(&narrow.tree, &mut narrow.workspace, &[0.0, 0.0]).is_ok());
     assert!(Tree::<f32>::new(&slider(), Vector3::new(0.0, -1e300, 0.0)).is_err());
     assert!(Tree::<f64>::new(&slider(), Vector3::new(0.0, f64::NAN, 0.0)).is_err());
+}
+
+/// Two slides that are each within range, and together beyond it; the link after them is where it has to be said.
+#[test]
+fn a_place_beyond_all_range_is_named() {
+    let slide = |name: &str| Joint::new(name).tx();
+    let figure = FigureBuilder::new("crane")
+        .link(LinkSpec::root("beam", slide("rail")).mass(1.0))
+        .link(LinkSpec::child("cart", "beam", slide("trolley")).mass(1.0))
+        .link(LinkSpec::child("hook", "cart", Joint::new("cable").at(Vector3::y())).mass(1.0))
+        .build()
+        .expect("a figure");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+    let mut place = |q: &[f64]| forward_kinematics(&kernel.tree, &mut kernel.workspace, q);
+    assert_eq!(place(&[1.7e308, 0.0]), Ok(()));
+    let error = place(&[1.7e308, 1.7e308]).expect_err("beyond").to_string();
+    assert!(error.starts_with("the position of a link came out as"), "{error}");
 }
 
 #[test]

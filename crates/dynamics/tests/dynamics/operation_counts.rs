@@ -4,7 +4,7 @@ use crate::support::chain::chain;
 use nalgebra::Vector3;
 use solaris_dynamics::lagrange::{Lagrangian, LagrangianWorkspace, Products, chain_wise, tree_wise};
 use solaris_dynamics::scalar::{Counted, Operations};
-use solaris_dynamics::{Tree, Workspace, forward_dynamics, inverse_dynamics};
+use solaris_dynamics::{Formulation, InverseDynamics, Tree, Workspace, forward_dynamics, inverse_dynamics};
 use solaris_model::{Figure, human};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -186,6 +186,25 @@ fn the_page_holds_what_is_counted() {
 }
 
 /// The printed totals are not the sums of the printed steps: slip 23 of `docs/sources.md`.
+/// All of them answer alike, so that only the cost tells which one ran.
+#[test]
+fn the_formulation_that_is_chosen_is_the_one_that_runs() {
+    let figure = human(1.75, 73.0).expect("within range");
+    let equations = Lagrangian::new(&figure, GRAVITY).expect("finite constants");
+    for (formulation, expected) in [
+        (Formulation::ChainWise, lagrangian(&equations, true)),
+        (Formulation::TreeWise, lagrangian(&equations, false)),
+        (Formulation::NewtonEuler, newton_euler(&figure)),
+    ] {
+        let mut dynamics = InverseDynamics::<Counted>::new(&figure, GRAVITY, formulation).expect("finite");
+        let [q, v, a] = states(equations.nv());
+        let mut tau = vec![Counted::new(0.0); equations.nv()];
+        let (result, operations) = Counted::measure(|| dynamics.solve(&q, &v, &a, &[], &mut tau));
+        assert_eq!(result, Ok(()));
+        assert_eq!(operations, expected, "{formulation:?}");
+    }
+}
+
 #[test]
 fn the_printed_totals_are_off() {
     for n in [1.0, 12.0, 66.0] {
