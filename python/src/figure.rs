@@ -48,20 +48,24 @@ impl Figure {
 ///
 /// >>> round(solaris.human(1.65, 58.0, load={"right": 6.0}).mass, 9)
 /// 64.0
+///
+/// `shorter_leg` is by how much a leg is shorter (m): `{"left": 0.02}`.
 #[pyfunction]
-#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false, load=None))]
+#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false, load=None, shorter_leg=None))]
 pub(crate) fn human(
     height: f64,
     mass: Option<f64>,
     age: Option<f64>,
     heading_first: bool,
     load: Option<BTreeMap<String, f64>>,
+    shorter_leg: Option<BTreeMap<String, f64>>,
 ) -> PyResult<Figure> {
     let mass = mass.unwrap_or(BODY_MASS_INDEX * height * height);
     let root = if heading_first { RootOrder::Yzx } else { RootOrder::Zyx };
     let human = Human::new(height, mass).root(root);
     let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
     let human = load.into_iter().flatten().fold(human, |human, (hand, load)| human.load(hand, load));
+    let human = shorter_leg.into_iter().flatten().fold(human, |human, (leg, by)| human.shorter_leg(leg, by));
     let figure = human.build().map_err(|error| errors::plain("FigureError")(&error))?;
     Ok(Figure::own(figure))
 }

@@ -128,6 +128,7 @@ fn person_with(person: &PersonArgs, root: RootOrder) -> Result<Figure, CliError>
         None => human,
     };
     let human = person.loads.iter().fold(human, |human, (side, load)| human.load(side.clone(), *load));
+    let human = person.shorter.iter().fold(human, |human, (leg, by)| human.shorter_leg(leg.clone(), *by));
     human.build().map_err(|error| CliError::of_human(error, person))
 }
 

@@ -20,6 +20,8 @@ const HEIGHT: (f64, f64) = (0.8, 2.3);
 const BODY_MASS_INDEX: (f64, f64) = (8.0, 80.0);
 /// The most that a hand carries, over the person's mass.
 const MOST_LOAD: f64 = 0.3;
+/// By how much of its length one leg may be shorter than it would be.
+const SHORTER: f64 = 0.1;
 /// Factors that a single segment's length may be scaled by.
 const SEGMENT_SCALE: (f64, f64) = (0.5, 2.0);
 
@@ -94,6 +96,18 @@ pub enum HumanError {
         /// Of the person (kg).
         mass: f64,
     },
+    /// A leg is shorter by too much, or none of a person's two.
+    #[error(
+        "{leg} leg shorter by {by} m: a leg of this person can be shorter by 0 to {most:.3} m, left or right"
+    )]
+    ShorterLeg {
+        /// Which leg.
+        leg: String,
+        /// What was asked (m).
+        by: f64,
+        /// The most (m).
+        most: f64,
+    },
     /// No angle with limits has this name.
     #[error("limits of '{name}': a human has no angle of that name{hint}")]
     Limits {
@@ -157,6 +171,7 @@ pub struct Human {
     lengths: Vec<(String, f64)>,
     limits: Vec<(String, [f64; 2])>,
     loads: Vec<(String, f64)>,
+    shorter: Vec<(String, f64)>,
     joints: Joints,
     root: RootOrder,
 }
@@ -193,6 +208,7 @@ impl Human {
             lengths: Vec::new(),
             limits: Vec::new(),
             loads: Vec::new(),
+            shorter: Vec::new(),
             joints: Joints::Angles,
             root: RootOrder::Zyx,
         }
@@ -300,6 +316,20 @@ impl Human {
         self
     }
 
+    /// Makes the `left` or the `right` leg shorter by so much (m): thigh and shank by the same part of their lengths. Masses stay what they are.
+    ///
+    /// ```
+    /// let uneven = solaris_model::Human::new(1.75, 73.0).shorter_leg("left", 0.02).build()?;
+    /// let below = |link: &str| -uneven.link(link).unwrap().joint().placement().translation.y;
+    /// let leg = |side: &str| below(&format!("{side}_shank")) + below(&format!("{side}_foot"));
+    /// assert!((leg("right") - leg("left") - 0.02).abs() < 1e-12);
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn shorter_leg(mut self, leg: impl Into<String>, by: f64) -> Self {
+        self.shorter.push((leg.into(), by));
+        self
+    }
+
     /// The figure.
     ///
     /// # Errors
@@ -330,6 +360,9 @@ impl Human {
         for (name, length) in &self.lengths {
             factors.push((name.clone(), self.factor(name, *length, &child)?));
         }
+        for (leg, by) in &self.shorter {
+            factors.extend(self.shortened(leg, *by, &factors, &child)?);
+        }
         let figure = build::figure(&build::Body {
             height,
             mass,
@@ -355,6 +388,28 @@ impl Human {
             }
             None => Ok(figure),
         }
+    }
+
+    /// The factors of thigh and shank of a leg that is shorter by `by` (m) than with `factors`.
+    fn shortened(
+        &self,
+        leg: &str,
+        by: f64,
+        factors: &[(String, f64)],
+        child: &child::Proportions,
+    ) -> Result<[(String, f64); 2], HumanError> {
+        let parts = ["thigh", "shank"].map(|segment| {
+            let side = format!("{leg}_{segment}");
+            let own = factors.iter().rev().find(|(name, _)| *name == side || name == segment);
+            let factor = own.map_or_else(|| child.length(segment), |(_, factor)| *factor);
+            (side, factor, build::below(segment) * build::scale(self.height))
+        });
+        let length: f64 = parts.iter().map(|(_, factor, below)| factor * below).sum();
+        let most = SHORTER * length;
+        if !["left", "right"].contains(&leg) || !(0.0..=most).contains(&by) {
+            return Err(HumanError::ShorterLeg { leg: leg.to_owned(), by, most });
+        }
+        Ok(parts.map(|(side, factor, _)| (side, factor * (1.0 - by / length))))
     }
 
     fn factor(&self, name: &str, length: f64, child: &child::Proportions) -> Result<f64, HumanError> {

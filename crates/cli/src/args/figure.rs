@@ -2,7 +2,7 @@
 
 use super::given::FILES;
 use super::value::{count, number};
-use super::walk::parse_load;
+use super::walk::{parse_load, parse_shorter};
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
@@ -76,6 +76,10 @@ pub(crate) struct HumanArgs {
         "What a hand carries: right=5, a point mass in the fist; several are allowed [default: nothing]"
     ))]
     pub(crate) loads: Vec<(String, f64)>,
+    #[arg(long = "shorter-leg", value_name = "SIDE=M", value_parser = parse_shorter, help = wrap(
+        "By how much a leg is shorter: left=0.02, thigh and shank by the same part [default: legs alike]"
+    ))]
+    pub(crate) shorter: Vec<(String, f64)>,
     #[arg(long, help = wrap(
         "Let the root turn by its heading first (about y, z, x) in place of z, y, x: for walks that turn by more than 75° in all"
     ))]

@@ -93,7 +93,7 @@ pub(crate) struct WalkFiles {
 /// Who walks.
 #[derive(Debug, Args)]
 pub(crate) struct WhoArgs {
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass", "age", "loads"], help = wrap(
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass", "age", "loads", "shorter"], help = wrap(
         "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]"
     ))]
     pub(crate) figure: Option<PathBuf>,
@@ -121,12 +121,25 @@ pub(crate) struct PersonArgs {
          several are allowed [default: nothing]"
     ))]
     pub(crate) loads: Vec<(String, f64)>,
+    #[arg(long = "shorter-leg", value_name = "SIDE=M", value_parser = parse_shorter, help = wrap(
+        "By how much a leg is shorter: left=0.02, thigh and shank by the same part; the pelvis hangs down to it [default: legs alike]"
+    ))]
+    pub(crate) shorter: Vec<(String, f64)>,
 }
 
 /// A hand and what it carries (kg).
 pub(super) fn parse_load(text: &str) -> Result<(String, f64), String> {
-    let (side, load) = text.split_once('=').ok_or("it must be SIDE=KG, such as right=5")?;
-    Ok((side.trim().to_owned(), number(load.trim()).map_err(|why| format!("the load: {why}"))?))
+    parse_side(text, "SIDE=KG, such as right=5", "the load")
+}
+
+/// A leg, and by how much it is shorter (m).
+pub(super) fn parse_shorter(text: &str) -> Result<(String, f64), String> {
+    parse_side(text, "SIDE=M, such as left=0.02", "by how much")
+}
+
+fn parse_side(text: &str, example: &str, what: &str) -> Result<(String, f64), String> {
+    let (side, amount) = text.split_once('=').ok_or_else(|| format!("it must be {example}"))?;
+    Ok((side.trim().to_owned(), number(amount.trim()).map_err(|why| format!("{what}: {why}"))?))
 }
 
 /// Step frequency, step length and speed, of which two decide the third.

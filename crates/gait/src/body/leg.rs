@@ -1,8 +1,19 @@
 //! The geometry of a leg, and the closed forms that need nothing else.
 
+use super::foot::mirror;
+use super::roles::SIDES;
 use crate::error::BodyError;
 use nalgebra::Vector3;
 use solaris_model::{Figure, SolePart};
+
+/// Places that are nearer than this are one (m).
+const ALIKE: f64 = 1e-9;
+
+/// By how much of the longer leg the other one may be shorter.
+pub(crate) const UNEQUAL: f64 = 0.035;
+
+/// How far from the shorter of two legs to the longer one is what both are planned by.
+const LONGER: f64 = 0.3;
 
 /// Lengths of the left leg in the sagittal plane (m, rad); the right one is its mirror image.
 ///
@@ -65,6 +76,48 @@ impl LegGeometry {
     /// A figure that lacks a link or a sole point, whose legs are not mirror images, or whose knee and ankle do not lie
     /// in the leg's plane.
     pub fn of(figure: &Figure) -> Result<Self, BodyError> {
+        let sides = Self::of_sides(figure)?;
+        Self::check_alike(&sides)?;
+        Ok(sides[0])
+    }
+
+    /// Both legs, the right one as its mirror image: they may be of unequal length, with thighs and shanks that are.
+    ///
+    /// # Errors
+    ///
+    /// As for [`LegGeometry::of`], but for thighs and shanks; these may differ by 3.5 % of the longer leg together.
+    pub fn of_sides(figure: &Figure) -> Result<[Self; 2], BodyError> {
+        let sides = [Self::of_side(figure, 0)?, Self::of_side(figure, 1)?];
+        let [left, right] = &sides;
+        let (difference, longest) = (left.length() - right.length(), left.length().max(right.length()));
+        if difference.abs() > UNEQUAL * longest {
+            return Err(BodyError::LegsTooUnequal { difference, most: UNEQUAL * longest });
+        }
+        Ok(sides)
+    }
+
+    /// Refuses legs that are not mirror images.
+    pub(crate) fn check_alike([left, right]: &[Self; 2]) -> Result<(), BodyError> {
+        for (joint, difference) in [
+            ("knee", (left.thigh - right.thigh).abs().max((left.thigh_lean - right.thigh_lean).abs())),
+            ("ankle", (left.shank - right.shank).abs().max((left.shank_lean - right.shank_lean).abs())),
+        ] {
+            if difference > ALIKE {
+                return Err(BodyError::LegsDiffer { joint, difference });
+            }
+        }
+        Ok(())
+    }
+
+    /// The leg between two, for what is asked of both together; of two that are one it is that one. It is nearer to the shorter one, which
+    /// is straighter in a step of the same length.
+    pub(crate) fn between([left, right]: &[Self; 2]) -> Self {
+        let (short, long) = if left.length() <= right.length() { (left, right) } else { (right, left) };
+        let between = |of: fn(&Self) -> f64| of(short) + LONGER * (of(long) - of(short));
+        Self { thigh: between(|leg| leg.thigh), shank: between(|leg| leg.shank), ..*left }
+    }
+
+    fn of_side(figure: &Figure, side: usize) -> Result<Self, BodyError> {
         let link = |name: &str| {
             figure.link(name).ok_or_else(|| BodyError::MissingLinks {
                 figure: figure.name().into(),
@@ -77,15 +130,17 @@ impl LegGeometry {
         let offset = |name: &str| link(name).map(|link| link.joint().placement().translation.vector);
         for (name, joint) in [("thigh", "hip"), ("shank", "knee"), ("foot", "ankle"), ("toes", "toes")] {
             let (left, right) = (offset(&format!("left_{name}"))?, offset(&format!("right_{name}"))?);
-            let difference = (left - Vector3::new(-right.x, right.y, right.z)).amax();
-            if difference > 1e-9 {
+            let difference = (left - mirror(&right)).amax();
+            if matches!(name, "thigh" | "toes") && difference > ALIKE {
                 return Err(BodyError::LegsDiffer { joint, difference });
             }
-            if name != "thigh" && left.x.abs() > 1e-9 {
-                return Err(BodyError::OutOfPlane { joint, offset: left.x });
+            let own = if side == 0 { left } else { right };
+            if name != "thigh" && own.x.abs() > ALIKE {
+                return Err(BodyError::OutOfPlane { joint, offset: own.x });
             }
         }
-        let (knee, ankle, ball) = (offset("left_shank")?, offset("left_foot")?, offset("left_toes")?);
+        let own = |name: &str| offset(&format!("{}{name}", SIDES[side]));
+        let (knee, ankle, ball) = (own("shank")?, own("foot")?, own("toes")?);
         let (heel, tip) = (sole("left_foot", SolePart::Heel)?, sole("left_toes", SolePart::ToeTip)?);
         Ok(Self {
             thigh: knee.y.hypot(knee.z),

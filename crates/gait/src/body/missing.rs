@@ -73,7 +73,7 @@ fn of_body(figure: &Figure) -> Vec<BodyError> {
     let mut faults = gathered(figure, faults);
     // What needs all of these comes last.
     if faults.is_empty() {
-        faults.extend(LegGeometry::of(figure).err());
+        faults.extend(LegGeometry::of_sides(figure).err());
     }
     faults
 }

@@ -45,7 +45,10 @@ pub(crate) struct Body {
     pub(crate) height: f64,
     /// Number of the figure's coordinates.
     pub(crate) nq: usize,
+    /// Of both legs the left one, or what is between two of unequal length.
     pub(crate) leg: LegGeometry,
+    /// Each of them, the right one as its mirror image.
+    pub(crate) sides: [LegGeometry; 2],
     /// First entry of the root's translations in `q`.
     pub(crate) root: usize,
     /// The order in which the root turns.
@@ -58,7 +61,8 @@ pub(crate) struct Body {
 impl Body {
     /// Of a figure that misses nothing ([`super::missing::check`]).
     pub(crate) fn of(figure: &Figure) -> Result<Self, BodyError> {
-        let leg = LegGeometry::of(figure)?;
+        let sides = LegGeometry::of_sides(figure)?;
+        let leg = LegGeometry::between(&sides);
         let segment = |name: &str, parent: Option<&str>| segment(figure, name, parent);
         let middle_of = |i: usize| segment(MIDDLE[i], i.checked_sub(1).map(|p| MIDDLE[p]));
         let middle = [middle_of(0)?, middle_of(1)?, middle_of(2)?, middle_of(3)?, middle_of(4)?];
@@ -74,6 +78,7 @@ impl Body {
             nq: figure.layout().nq(),
             height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
             leg,
+            sides,
             root,
             root_order: root_order(figure),
             middle,
@@ -91,7 +96,14 @@ impl Body {
             [of(left, right), of(right, left)]
         };
         let (arms, legs) = (swapped(&self.arms), swapped(&self.legs));
-        Self { middle: self.middle.map(Segment::mirrored), arms, legs, ..self.clone() }
+        let [left, right] = self.sides;
+        Self { middle: self.middle.map(Segment::mirrored), arms, legs, sides: [right, left], ..self.clone() }
+    }
+
+    /// Refuses a body whose legs are not mirror images, for what plans one leg and mirrors it.
+    pub(crate) fn with_legs_alike(self) -> Result<Self, BodyError> {
+        LegGeometry::check_alike(&self.sides)?;
+        Ok(self)
     }
 
     /// Factor of the recipe's lengths.

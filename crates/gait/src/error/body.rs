@@ -27,9 +27,15 @@ pub enum BodyError {
     )]
     MissingSolePoint { link: &'static str, part: SolePart },
     #[error(
-        "the legs differ: left and right {joint} joint stand {difference:.2e} m from being mirror images, which the walker needs"
+        "the legs differ: left and right {joint} joint are {difference:.2e} m from being mirror images; only thigh and shank may be of \
+         unequal length, and only in walks that are planned in people's style"
     )]
     LegsDiffer { joint: &'static str, difference: f64 },
+    #[error(
+        "the {} leg is {:.1} cm shorter than the other one; the walker can do with {:.1} cm",
+        if *.difference < 0.0 { "left" } else { "right" }, 100.0 * .difference.abs(), 100.0 * .most
+    )]
+    LegsTooUnequal { difference: f64, most: f64 },
     #[error(
         "the {joint} joint lies {offset:.2e} m to the side of the leg's plane; the walker needs hip, knee, ankle \
          and toes in one plane"

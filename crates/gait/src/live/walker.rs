@@ -82,7 +82,7 @@ impl Walker {
     /// A figure that cannot walk, and one whose root does not turn by its heading first ([`RootOrder::Yzx`]).
     pub fn new(figure: &Figure) -> Result<Self, GaitError> {
         missing::check(figure)?;
-        let body = Body::of(figure)?;
+        let body = Body::of(figure)?.with_legs_alike()?;
         if body.root_order != RootOrder::Yzx {
             return Err(LiveError::Root { figure: figure.name().to_owned() }.into());
         }

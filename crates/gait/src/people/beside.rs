@@ -38,7 +38,9 @@ impl Beside {
 /// A steady stride of the left leg, as [`crate::measure()`] finds it, beside people's curves at its pace; without those that the figure or its motion lacks. Backward it is
 /// beside none: people's are of walking forward.
 pub fn beside(figure: &Figure, motion: &Motion, stride: &SteadyStride) -> Vec<Beside> {
-    let Ok(leg) = LegGeometry::of(figure) else { return Vec::new() };
+    let Ok(leg) = LegGeometry::of_sides(figure).map(|sides| LegGeometry::between(&sides)) else {
+        return Vec::new();
+    };
     if stride.backward {
         return Vec::new();
     }

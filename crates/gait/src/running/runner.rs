@@ -40,7 +40,7 @@ const HALVED: usize = 5;
 #[doc(alias = "locomotion")]
 pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> {
     missing::check(figure)?;
-    let body = Body::of(figure)?;
+    let body = Body::of(figure)?.with_legs_alike()?;
     judged(&body, request).map_err(|error| match error {
         GaitError::Plan(PlanError::NotRunnable { speed, what, nearest: advice }) if advice.is_empty() => {
             let nearest = nearest(&body, speed, request.resolution);

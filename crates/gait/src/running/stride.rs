@@ -80,7 +80,7 @@ impl RunStride {
     /// A figure that the planner does not know, numbers that are none, and a stride that does not close.
     pub fn new(figure: &Figure, style: &RunStyle, resolution: RunResolution) -> Result<Self, GaitError> {
         missing::check(figure)?;
-        Self::plan(Body::of(figure)?, style, resolution)
+        Self::plan(Body::of(figure)?.with_legs_alike()?, style, resolution)
     }
 
     pub(crate) fn plan(body: Body, style: &RunStyle, resolution: RunResolution) -> Result<Self, GaitError> {

@@ -109,7 +109,8 @@ pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
     let pelvis = [
         swings.pelvis
             * style.pelvic_obliquity
-            * (sin(list) + style.list.part * sin(3.0 * (list - style.list.lag))),
+            * (sin(list) + style.list.part * sin(3.0 * (list - style.list.lag)))
+            + style.manner.pelvis_list,
         -swings.pelvis * style.pelvic_rotation * cos(u),
         style.anterior_tilt + swings.pelvis * TILT_SWING.0 * cos(2.0 * (u - TILT_SWING.1)),
     ];

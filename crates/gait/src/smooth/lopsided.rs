@@ -1,5 +1,5 @@
-//! Bodies that are heavier on one side, of a load in a hand or by their figure: the trunk leans to the other side, the pelvis gives way, and
-//! the heavier arm swings less.
+//! Bodies whose two sides are not alike. One is heavier, of a load in a hand or by its figure: the trunk leans to the other side, the pelvis
+//! gives way, and the heavier arm swings less. One leg is shorter: the pelvis hangs down to it.
 
 use crate::body::{Body, Segment};
 use crate::momentum::upper;
@@ -17,23 +17,43 @@ const CLEARS: f64 = 0.15;
 const ALIKE: f64 = 1e-6;
 /// Of a figure's middle: how far its centres of mass may be beside it (m).
 const BESIDE: f64 = 1e-6;
+/// Sine of the most that a pelvis hangs to one side for a leg that is shorter.
+const STEEPEST: f64 = 0.5;
 
-/// Whether a body is heavier on one side.
+/// Whether a body is heavier on one side, or stands on legs of unequal length.
 pub(crate) fn is_lopsided(body: &Body) -> bool {
+    is_heavier(body) || list(body) != 0.0
+}
+
+/// How far the pelvis hangs to the right, so that each hip is as high over its foot as its own leg wants it:
+///
+/// ```text
+/// 2·x·sin δ = Lₗ − Lᵣ        x half the distance of the hips
+/// ```
+fn list(body: &Body) -> f64 {
+    let [left, right] = body.sides.map(|leg| leg.length());
+    if (left - right).abs() < BESIDE {
+        return 0.0;
+    }
+    (0.5 * (left - right) / body.leg.hip.x).clamp(-STEEPEST, STEEPEST).asin()
+}
+
+fn is_heavier(body: &Body) -> bool {
     let [left, right] = body.arms.each_ref().map(first_moment);
     let middle = body.middle.iter().any(|segment| segment.com.x.abs() > BESIDE);
     middle || (left - right).abs() > ALIKE * (left + right)
 }
 
-/// Sets lean and arms of a style as a body that is heavier on one side has them; of others nothing changes.
+/// Sets the pelvis' list, lean and arms of a style as a body with two sides that differ has them; of others nothing changes.
 ///
 /// ```text
 /// Σ mᵢ xᵢ = 0 while standing, of which half      swing of an arm ~ least first moment of both / its own
 /// ```
 ///
-/// so that both arms have about the same angular momentum. Legs are taken as alike.
+/// so that both arms have about the same angular momentum.
 pub(crate) fn balance(style: &mut Style, body: &Body) {
-    if !is_lopsided(body) {
+    style.manner.pelvis_list = list(body);
+    if !is_heavier(body) {
         return;
     }
     let moments = body.arms.each_ref().map(first_moment);

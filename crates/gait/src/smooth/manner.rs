@@ -32,6 +32,8 @@ pub struct Manner {
     pub arm_sides: [f64; 2],
     /// Lean of the thorax to the right, away from a load on the left.
     pub side_lean: f64,
+    /// How far the pelvis hangs to the right, over a right leg that is shorter.
+    pub pelvis_list: f64,
 }
 
 impl Manner {
@@ -49,6 +51,7 @@ impl Manner {
         arms_in: 0.0,
         arm_sides: [1.0; 2],
         side_lean: 0.0,
+        pelvis_list: 0.0,
     };
 
     /// Of people at this speed (m/s): the faster they walk, the more their elbows bend and swing.
@@ -75,15 +78,16 @@ impl Manner {
 
     /// This, with arms, head and what else shows in standing as another one has them.
     pub(super) fn standing_as(self, other: &Self) -> Self {
-        let Self { head_pitch, shoulder, arms_out, arms_in, side_lean, elbow: [standing, ..], .. } = *other;
-        let elbow = [standing, self.elbow[1], self.elbow[2]];
-        Self { elbow, head_pitch, shoulder, arms_out, arms_in, side_lean, ..self }
+        let Self { head_pitch, shoulder, arms_out, arms_in, side_lean, pelvis_list, .. } = *other;
+        let elbow = [other.elbow[0], self.elbow[1], self.elbow[2]];
+        Self { elbow, head_pitch, shoulder, arms_out, arms_in, side_lean, pelvis_list, ..self }
     }
 
     /// Of a walk whose left is right.
     pub(super) fn mirrored(self) -> Self {
         let [left, right] = self.arm_sides;
-        Self { arm_sides: [right, left], side_lean: -self.side_lean, ..self }
+        let (side_lean, pelvis_list) = (-self.side_lean, -self.pelvis_list);
+        Self { arm_sides: [right, left], side_lean, pelvis_list, ..self }
     }
 
     /// Its numbers with their names.
@@ -107,6 +111,7 @@ impl Manner {
             ("arms_in", self.arms_in),
             ("arm_sides", self.arm_sides[0] + self.arm_sides[1]),
             ("side_lean", self.side_lean),
+            ("pelvis_list", self.pelvis_list),
         ]
         .into_iter()
     }

@@ -53,7 +53,7 @@ impl StridePlan {
     /// A figure that the walker does not know, and a stride that does not close.
     pub fn new(figure: &Figure, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
         missing::check(figure)?;
-        Self::plan(Body::of(figure)?, style, resolution)
+        Self::plan(Body::of(figure)?.with_legs_alike()?, style, resolution)
     }
 
     pub(crate) fn plan(body: Body, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {

@@ -217,7 +217,8 @@ impl<'a> Styling<'a> {
             let balanced = style.manner;
             style.manner.arm_sides = [(1.0 + arm_side) * arms[0], (1.0 - arm_side) * arms[1]];
             if mirrored {
-                style.manner = Manner { side_lean: balanced.side_lean, ..style.manner.mirrored() };
+                let Manner { side_lean, pelvis_list, .. } = balanced;
+                style.manner = Manner { side_lean, pelvis_list, ..style.manner.mirrored() };
             }
             style.manner.arm_sides =
                 std::array::from_fn(|side| style.manner.arm_sides[side] * balanced.arm_sides[side]);

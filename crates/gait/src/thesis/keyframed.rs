@@ -55,7 +55,7 @@ impl KeyframedWalk {
     /// that no leg reaches them.
     pub fn new(figure: &Figure, script: &KeyScript, options: KeyframedOptions) -> Result<Self, GaitError> {
         crate::body::missing::check(figure)?;
-        let body = Body::of(figure)?;
+        let body = Body::of(figure)?.with_legs_alike()?;
         let proportions = Proportions::of_leg(&body.leg, body.height);
         script.check(&options, proportions.leg())?;
         let rest = REST * script.step_time;

@@ -203,7 +203,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
 /// The walk, or why there is none, with nearest values that nobody has tried.
 pub(crate) fn planned(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
     missing::check(figure)?;
-    let body = Body::of(figure)?;
+    let body = Body::of(figure)?.with_legs_alike()?;
     let proportions = Proportions::of_leg(&body.leg, body.height);
     let mut request = request.clone();
     let steps = match request.extent {

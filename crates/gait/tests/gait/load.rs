@@ -9,7 +9,7 @@ fn porter(height: f64, loads: &[(&str, f64)]) -> Figure {
     loads.iter().fold(human, |human, (hand, load)| human.load(*hand, *load)).build().expect("a person")
 }
 
-fn walked(figure: &Figure, request: &WalkRequest) -> (WalkPlan, Motion) {
+pub(crate) fn walked(figure: &Figure, request: &WalkRequest) -> (WalkPlan, Motion) {
     let plan = walk(figure, request).unwrap_or_else(|error| panic!("{error}: {request:?}"));
     let mut motion = plan.motion(figure, 240.0).expect("sampled");
     let report = ground_reactions(figure, &mut motion, FEET, &plan).expect("forces");
@@ -19,7 +19,7 @@ fn walked(figure: &Figure, request: &WalkRequest) -> (WalkPlan, Motion) {
 }
 
 /// Mean and half of the range of a coordinate in the middle of a walk (rad).
-fn course(figure: &Figure, motion: &Motion, name: &str) -> (f64, f64) {
+pub(crate) fn course(figure: &Figure, motion: &Motion, name: &str) -> (f64, f64) {
     let at = figure.layout().v_names().iter().position(|known| known == name).expect("a coordinate");
     let middle = motion.len() / 3..2 * motion.len() / 3;
     let (least, most) = middle
@@ -100,7 +100,12 @@ fn a_load_on_the_other_side_is_the_mirror_image() {
         let figure = porter(1.75, &[(hand, 6.0)]);
         walked(&figure, &request(left_first)).0
     });
-    let names: Vec<String> = porter(1.75, &[]).layout().v_names().to_vec();
+    assert_mirrored(&porter(1.75, &[]), &plans);
+}
+
+/// That one walk is the other one's mirror image, of figures with the coordinates of `figure`.
+pub(crate) fn assert_mirrored(figure: &Figure, plans: &[WalkPlan; 2]) {
+    let names: Vec<String> = figure.layout().v_names().to_vec();
     let [mut one, mut other] = [vec![0.0; 66], vec![0.0; 66]];
     for k in 0..100 {
         let t = plans[0].duration() * f64::from(k) / 99.0;

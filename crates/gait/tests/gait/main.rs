@@ -62,3 +62,4 @@ mod thesis_requests;
 mod three_determinants;
 mod three_determinants_closure;
 mod three_determinants_laws;
+mod unequal;

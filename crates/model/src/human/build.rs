@@ -23,6 +23,11 @@ pub(super) fn scale(height: f64) -> f64 {
     height / REFERENCE_HEIGHT
 }
 
+/// How far below a leg's segment's joint the next one's is (m of the table).
+pub(super) fn below(segment: &str) -> f64 {
+    SEGMENTS.iter().find(|next| next.parent == segment).map_or(0.0, |next| -next.offset[1])
+}
+
 /// What a human is built from.
 pub(super) struct Body<'a> {
     /// Height (m).

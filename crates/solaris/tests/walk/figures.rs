@@ -56,10 +56,9 @@ fn people_of_other_proportions_walk_far_or_are_told_why_not() {
 }
 
 #[test]
-fn legs_that_differ_are_refused_by_name() {
+fn legs_that_differ_too_much_are_refused_by_name() {
     let error =
-        walk(&shaped(1.75, &[("left_thigh", 0.44)]), &steps(95.0, 4)).err().expect("legs that differ");
-    assert!(matches!(error, GaitError::Body(BodyError::LegsDiffer { .. })), "{error}");
-    // The thigh's length is where the knee is.
-    assert!(error.to_string().contains("knee"), "{error}");
+        walk(&shaped(1.75, &[("left_thigh", 0.46)]), &steps(95.0, 4)).err().expect("legs that differ");
+    assert!(matches!(error, GaitError::Body(BodyError::LegsTooUnequal { .. })), "{error}");
+    assert!(error.to_string().starts_with("the right leg is "), "{error}");
 }

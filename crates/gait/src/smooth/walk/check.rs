@@ -16,15 +16,14 @@ pub(crate) struct LegsCheck {
 
 impl WalkPlan {
     pub(crate) fn legs(&self) -> LegsCheck {
-        let leg = &self.body.leg;
-        let toe = leg.toe_polar();
+        let toe = self.body.leg.toe_polar();
         let none = (f64::INFINITY, 0.0);
         let mut check = LegsCheck { least_knee: none, lowest: none, short: (0.0, 0.0) };
         let (_, (first, last)) = self.nodes();
         for u in (first..=last).map(|node| self.clock(node)) {
             let (hips, legs) = self.hips_and_legs(u);
             for side in [0, 1] {
-                let (hip, pose) = (hips[side], legs[side]);
+                let (hip, pose, leg) = (hips[side], legs[side], &self.body.sides[side]);
                 check.least_knee = least(check.least_knee, (pose.knee, u));
                 let lowest = if self.is_level() {
                     let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
@@ -46,7 +45,7 @@ impl WalkPlan {
     /// The least height of a point of a sole over ground that is not level (m); within `EDGE` of a riser either side of it counts.
     fn lowest_over_ground(&self, side: usize, u: f64, hip: &Vector3<f64>, pose: &LegPose) -> f64 {
         let Some(relief) = self.relief() else { return f64::NAN };
-        let leg = &self.body.leg;
+        let leg = &self.body.sides[side];
         let episode = self.laws.course.episode(side, self.laws.course.episode_at(side, u));
         let points = self.laws.plane.sole(leg, &episode.local(hip), pose, leg.ankle_below_hip(pose));
         let over = points.iter().map(|point| {

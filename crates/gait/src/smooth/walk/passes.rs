@@ -146,7 +146,7 @@ impl Passes {
     }
 
     fn pass(&mut self, pass: usize, passes: usize) -> Result<Pass, GaitError> {
-        let (count, leg) = (self.timeline.grid.count, self.body.leg);
+        let (count, legs) = (self.timeline.grid.count, self.body.sides);
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
@@ -158,11 +158,11 @@ impl Passes {
             let spacing = 1.0 / self.timeline.rate as f64;
             let spline = UniformSpline::resting(self.timeline.start(), spacing, &nodes[side])?;
             let hip = Hip { spline: &spline, nodes: &nodes[side], timeline: &self.timeline };
-            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut needs)?)
+            Ok(Foot::new(&self.laws, &legs[side], side, &hip, &mut needs)?)
         };
         let feet = [foot(0)?, foot(1)?];
         let pose = |side: usize, i: usize| {
-            feet[side].pose(&self.laws, &leg, self.timeline.clock(i), &nodes[side][i].into())
+            feet[side].pose(&self.laws, &legs[side], self.timeline.clock(i), &nodes[side][i].into())
         };
         let poses: Vec<[LegPose; 2]> = (0..count).map(|i| [pose(0, i), pose(1, i)]).collect();
         let momentum = self.kernel.momentum(&self.upper, |i| poses[i]);

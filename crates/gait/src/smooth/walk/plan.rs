@@ -412,7 +412,7 @@ impl WalkPlan {
 
     /// Poses of both legs at a clock of the walk that was planned.
     fn legs_below(&self, u: f64, hips: &[Vector3<f64>; 2]) -> [LegPose; 2] {
-        let pose = |side: usize| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side]);
+        let pose = |side: usize| self.feet[side].pose(&self.laws, &self.body.sides[side], u, &hips[side]);
         [pose(0), pose(1)]
     }
 

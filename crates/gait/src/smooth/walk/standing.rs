@@ -2,6 +2,7 @@
 
 use super::numbers::{KNEE_BY_SLOPE, KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
+use crate::body::foot::mirror;
 use crate::body::rotations;
 use crate::grid::{Ends, Grid};
 use crate::limbs::stance::{Footing, Landing, Stance};
@@ -33,25 +34,32 @@ impl Standing {
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
         let upper = UpperBody::new(body, &grid, style.manner.carriage(), |_| (trunk, arms, 0.0));
-        let hip_offset = rotations::matrix(trunk[0]) * leg.hip;
+        // The right side as its mirror image.
+        let seen = |side: usize, v: &Vector3<f64>| if side == 0 { *v } else { mirror(v) };
+        let turn = rotations::matrix(trunk[0]);
+        let offsets = [0, 1].map(|side| seen(side, &(turn * body.legs[side][0].offset)));
         let footing = Footing { tilt, ..style.footing() };
-        let stance = Stance::new(leg, &footing, Landing::Flat, style.push());
-        let ankle = stance.flat_ankle();
+        let stances = body.sides.map(|leg| Stance::new(&leg, &footing, Landing::Flat, style.push()));
+        let ankle = stances[0].flat_ankle();
         // Heels behind the ankles as on level ground, which lean with a slope.
         let (sin, cos) = tilt.sin_cos();
         let ankles = leg.heel_behind * cos - leg.ankle_height * sin;
         let ahead = ankles + STANDING_AHEAD * body.scale();
-        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane, |_, _| 0.0, |_, _| tilt);
+        let mut kernel = MomentumKernel::new(body, &grid, &upper, stances[0].plane, |_, _| 0.0, |_, _| tilt);
         let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);
         let mut com = pelvis;
         for _ in 0..25 {
-            let hip = pelvis + hip_offset;
-            let level = leg.reach_squared(knee_standing(tilt))
-                - (hip.x - ankle.x).powi(2)
-                - (hip.z - ankle.z).powi(2);
-            pelvis.y += ankle.y + level.max(0.0).sqrt() - hip.y;
-            let pose = stance.pose(0.0, &(pelvis + hip_offset));
-            com = pelvis + kernel.momentum(&upper, |_| [pose; 2]).com[0];
+            // As high as the leg allows that holds its hip lower.
+            let [left, right] = [0, 1].map(|side| {
+                let hip = seen(side, &pelvis) + offsets[side];
+                let level = body.sides[side].reach_squared(knee_standing(tilt))
+                    - (hip.x - ankle.x).powi(2)
+                    - (hip.z - ankle.z).powi(2);
+                ankle.y + level.max(0.0).sqrt() - hip.y
+            });
+            pelvis.y += left.min(right);
+            let poses = [0, 1].map(|side| stances[side].pose(0.0, &(seen(side, &pelvis) + offsets[side])));
+            com = pelvis + kernel.momentum(&upper, |_| poses).com[0];
             pelvis.z += ahead - com.z;
         }
         Self { pelvis, com }

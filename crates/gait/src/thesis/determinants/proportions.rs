@@ -78,7 +78,7 @@ impl Proportions {
     /// A figure that cannot walk, see [`crate::missing_for_walking()`].
     pub fn of(figure: &Figure) -> Result<Self, GaitError> {
         crate::body::missing::check(figure)?;
-        let body = crate::body::Body::of(figure)?;
+        let body = crate::body::Body::of(figure)?.with_legs_alike()?;
         Ok(Self::of_leg(&body.leg, body.height))
     }
 

@@ -21,7 +21,7 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let known = ["height", "mass", "age", "segments", "load", "joints", "root", "limits"];
+        let known = ["height", "mass", "age", "segments", "load", "shorter_leg", "joints", "root", "limits"];
         let fields = self.fields(node, &["Human"], &known)?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
@@ -29,6 +29,7 @@ impl FigureReader<'_> {
         let mass = mass_node.and_then(|node| self.number(node, "the mass"));
         let segments = fields.get("segments").map(|node| self.amounts(node, &SEGMENTS)).unwrap_or_default();
         let loads = fields.get("load").map(|node| self.amounts(node, &LOAD)).unwrap_or_default();
+        let shorter = fields.get("shorter_leg").map(|node| self.amounts(node, &SHORTER)).unwrap_or_default();
         let age_node = fields.get("age");
         let age = age_node.map(|node| self.number(node, "the age"));
         let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
@@ -70,12 +71,16 @@ impl FigureReader<'_> {
             }
             human = human.segment_length(&segment.name, segment.amount);
         }
-        for load in loads {
-            let with = human.clone().load(&load.name, load.amount);
+        type Sided = fn(Human, &Named) -> Human;
+        let with_load: Sided = |human, load| human.load(&load.name, load.amount);
+        let with_leg: Sided = |human, leg| human.shorter_leg(&leg.name, leg.amount);
+        let loads = loads.into_iter().map(|load| (with_load, load));
+        for (with, named) in loads.chain(shorter.into_iter().map(|leg| (with_leg, leg))) {
+            let with = with(human.clone(), &named);
             match with.build() {
-                Err(error @ HumanError::Load { .. }) => {
-                    let is_hand = ["left", "right"].contains(&load.name.as_str());
-                    self.fault(if is_hand { load.amount_at } else { load.name_at }, error.to_string());
+                Err(error @ (HumanError::Load { .. } | HumanError::ShorterLeg { .. })) => {
+                    let is_side = ["left", "right"].contains(&named.name.as_str());
+                    self.fault(if is_side { named.amount_at } else { named.name_at }, error.to_string());
                     good = false;
                 }
                 _ => human = with,
@@ -187,6 +192,14 @@ const SEGMENTS: Amounts = Amounts {
     noun: "segment",
     name: "the name of a segment",
     amount: "the length of a segment",
+};
+
+const SHORTER: Amounts = Amounts {
+    field: "shorter_leg",
+    example: "{\"left\": 0.02}",
+    noun: "leg",
+    name: "left or right",
+    amount: "by how much a leg is shorter (m)",
 };
 
 const LOAD: Amounts = Amounts {

@@ -80,6 +80,13 @@ fn a_body_carries_a_load_in_each_hand() {
 }
 
 #[test]
+fn a_body_stands_on_legs_of_unequal_length() {
+    let text = "Figure(version: 1, body: Human(height: 1.75, mass: 73, shorter_leg: {\"left\": 0.02}))";
+    let wanted = solaris_model::Human::new(1.75, 73.0).shorter_leg("left", 0.02);
+    assert_eq!(figure(text), wanted.build().expect("a person"));
+}
+
+#[test]
 fn a_body_is_one_word() {
     let found = figure(
         "Figure(version: 1, name: \"ann\", body: Human(height: 1.65, mass: 58, segments: {\"left_thigh\": 0.45}))",
