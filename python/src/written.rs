@@ -18,7 +18,7 @@ pub(crate) fn page(of: &Motion) -> PyResult<String> {
 }
 
 /// Writes a motion in the format of the path's extension.
-pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
+pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
     let (figure, motion) = (of.figure.figure(), &*of.motion);
     let refuse = |error: &dyn std::fmt::Display| of_path(path, &format!("{}: {error}", path.display()));
     let mut bytes = Vec::new();
@@ -31,7 +31,8 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
         "glb" => {
             let actors = [Actor { name: figure.name(), figure, skin: None }];
             let clips = [Clip { name: "motion", motions: vec![(0, motion)] }];
-            glb::write(&actors, &clips, glb::Options::default(), &mut bytes)
+            let options = glb::Options { forces: arrows, ..glb::Options::default() };
+            glb::write(&actors, &clips, options, &mut bytes)
                 .map_err(|error| refuse(&error))?;
         }
         "usda" => {

@@ -12,14 +12,23 @@ use solaris::skin::skin;
 use std::io::Write;
 use std::path::Path;
 
+/// What an animation file is to have.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bones {
+    /// Whose bones; our own where there is none.
+    pub(crate) rig: Option<RigMap>,
+    /// Whether forces are arrows and the centre of mass a ball, where a file can have them.
+    pub(crate) arrows: bool,
+}
+
 /// One figure and its motion as bones, those of a `rig` where one is asked for.
 pub(crate) fn bones(
     figure: &Figure,
     motion: &Motion,
-    rig: Option<&RigMap>,
+    bones: &Bones,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    let Some(rig) = rig else {
+    let Some(rig) = &bones.rig else {
         return bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other);
     };
     let on = Rigged::new(figure, rig).map_err(CliError::other)?;
@@ -42,14 +51,14 @@ pub(crate) fn body(
     figure: &Figure,
     motion: &Motion,
     clip: &str,
-    rig: Option<&RigMap>,
+    bones: &Bones,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     if how == BodyFormat::Glb {
-        return clips(figure, &[(clip, motion)], rig, writer);
+        return clips(figure, &[(clip, motion)], bones, writer);
     }
     let detail = Detail::default();
-    let Some(rig) = rig else {
+    let Some(rig) = &bones.rig else {
         return usd::write(figure, &skin(figure, detail), clip, motion, &mut writer).map_err(CliError::other);
     };
     let on = Rigged::new(figure, rig).map_err(CliError::other)?;
@@ -61,17 +70,17 @@ pub(crate) fn body(
 pub(crate) fn clips(
     figure: &Figure,
     motions: &[(&str, &Motion)],
-    rig: Option<&RigMap>,
+    bones: &Bones,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    let vrm = rig.and_then(RigMap::rig) == Some(Rig::Vrm);
-    let options = Options { vrm, ..Options::default() };
+    let vrm = bones.rig.as_ref().and_then(RigMap::rig) == Some(Rig::Vrm);
+    let options = Options { vrm, forces: bones.arrows, ..Options::default() };
     let mut write = |actor: Actor<'_>, motions: &[(&str, &Motion)]| {
         let clips: Vec<Clip<'_>> =
             motions.iter().map(|(name, motion)| Clip { name, motions: vec![(0, *motion)] }).collect();
         write(&[actor], &clips, options, &mut writer).map_err(CliError::other)
     };
-    let Some(rig) = rig else {
+    let Some(rig) = &bones.rig else {
         return write(Actor { name: figure.name(), figure, skin: None }, motions);
     };
     let on = Rigged::new(figure, rig).map_err(CliError::other)?;
@@ -98,23 +107,28 @@ pub(crate) fn crowd(people: &[Person], mut writer: &mut dyn Write) -> Result<(),
     write(&actors, &[Clip { name: "crowd", motions }], options, &mut writer).map_err(CliError::other)
 }
 
-/// The rig that is asked for.
-pub(crate) fn rig(args: &RigArgs) -> Result<Option<RigMap>, CliError> {
-    Ok(match &args.rig {
+/// The bones that are asked for.
+pub(crate) fn asked(args: &RigArgs) -> Result<Bones, CliError> {
+    let rig = match &args.rig {
         None => None,
         Some(AskedRig::Known(rig)) => Some((*rig).into()),
         Some(AskedRig::Map(path)) => {
             let text = input::text(path)?;
             Some(RigMap::read(&text).map_err(|faults| input::faulty(path, &text, faults))?)
         }
-    })
+    };
+    Ok(Bones { rig, arrows: args.arrows })
 }
 
-/// Refuses bones that no file has.
+/// Refuses bones and arrows that no file has.
 pub(crate) fn check<'a>(args: &RigArgs, paths: impl IntoIterator<Item = &'a Path>) -> Result<(), UsageError> {
     let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb" | "usda");
-    if args.rig.is_some() && !paths.into_iter().any(has_bones) {
+    let paths: Vec<&Path> = paths.into_iter().collect();
+    if args.rig.is_some() && !paths.iter().any(|path| has_bones(path)) {
         return Err(UsageError::NoBones);
+    }
+    if args.arrows && !paths.iter().any(|path| extension(path) == "glb") {
+        return Err(UsageError::NoArrows);
     }
     Ok(())
 }

@@ -133,7 +133,7 @@ fn motion(
     ConvertArgs { from, to, figure, files, skeleton, bones, .. }: &ConvertArgs,
 ) -> Result<(), CliError> {
     animation::check(bones, [to.as_path()])?;
-    let rig = animation::rig(bones)?;
+    let bones = &animation::asked(bones)?;
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
         Some(path) => Some(input::body_in(path, files.as_deref())?),
@@ -164,13 +164,13 @@ fn motion(
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
-            animation::bones(&body.figure, &motion, rig.as_ref(), writer)
+            animation::bones(&body.figure, &motion, bones, writer)
         }
         MotionFormat::Body(how) => {
             let Some(body) = &body else { return Ok(()) };
             let found = record::read(&body.figure, body.gravity, &table);
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
-            animation::body(how, &body.figure, &motion, &stem(from), rig.as_ref(), writer)
+            animation::body(how, &body.figure, &motion, &stem(from), bones, writer)
         }
         MotionFormat::Page => {
             let Some(body) = &body else { return Ok(()) };

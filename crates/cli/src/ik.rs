@@ -1,6 +1,6 @@
 //! `solaris ik`: joint angles from markers.
 
-use crate::animation::{self, BodyFormat};
+use crate::animation::{self, BodyFormat, Bones};
 use crate::args::IkArgs;
 use crate::error::CliError;
 use crate::markers::{self, Fitted, MarkersReport};
@@ -56,7 +56,9 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             Content::Sto => sto::write(&positions_in_degrees(figure, motion), &mut writer),
             Content::Csv => csv::write_table(&headed_positions(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
-            Content::Body(how) => return animation::body(how, figure, motion, "trial", None, writer),
+            Content::Body(how) => {
+                return animation::body(how, figure, motion, "trial", &Bones::default(), writer);
+            }
             Content::Errors => write_errors(&fitted, &mut writer),
         }
         .map_err(CliError::other)

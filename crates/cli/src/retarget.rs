@@ -34,8 +34,9 @@ pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
     // The rest pose may be one of those that are left out.
     let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
     let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
-    // As asked, until it is written: there may be one of that name.
-    let mut name = args.name.clone().unwrap_or_else(|| stem(&args.motion));
+    // As asked, until it is written: there may be one of that name. Of a file with several clips that of the one that was chosen.
+    let own = || args.skeleton.clip.clone().unwrap_or_else(|| stem(&args.motion));
+    let mut name = args.name.clone().unwrap_or_else(own);
     outputs.write(|(), mut writer| {
         name = character.with_clip(&name, &moved, &mut writer).map_err(CliError::other)?;
         Ok(())

@@ -10,7 +10,7 @@ mod watch;
 
 pub(crate) use solaris::files::{LoadedScene, scene as load};
 
-use crate::animation::{self, BodyFormat};
+use crate::animation::{self, BodyFormat, Bones};
 use crate::args::RunArgs;
 use crate::error::{CliError, UsageError};
 use crate::input::extension;
@@ -19,7 +19,7 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
 use solaris::io::record;
-use solaris::io::rig::{RigMap, Rigged};
+use solaris::io::rig::Rigged;
 use solaris::model::{Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
@@ -68,15 +68,15 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
         return Err(UsageError::NoStrip { option }.into());
     }
     let LoadedScene { mut scene, reads } = load(path)?;
-    // Only tables and pages show forces; those of a walk are found with its ground reactions.
+    // Only tables, pages and arrows show forces; those of a walk are found with its ground reactions.
     let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
-    scene.settings_mut().forces = scene.walk().is_some() || outputs.paths().any(shows);
+    scene.settings_mut().forces = scene.walk().is_some() || args.bones.arrows || outputs.paths().any(shows);
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     check_size(path, &scene)?;
 
     animation::check(&args.bones, outputs.paths())?;
-    let rig = animation::rig(&args.bones)?;
-    check_bones(&outputs, &scene, rig.as_ref())?;
+    let bones = animation::asked(&args.bones)?;
+    check_bones(&outputs, &scene, &bones)?;
 
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let joined: Vec<[usize; 2]> = ends.filter_map(|[a, b]| Some([a?, b?])).collect();
     let limbs = limbs::nearest(scene.figure(), &simulated.motion, &joined)?;
     let report = Report::new(&scene, &simulated, limbs);
-    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, args, rig.as_ref()))?;
+    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, args, &bones))?;
     drop(watcher);
 
     if args.json {
@@ -101,7 +101,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
 }
 
 /// Refuses a figure whose bones no file can hold, before anything is computed.
-fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<&RigMap>) -> Result<(), CliError> {
+fn check_bones(outputs: &Outputs<Format>, scene: &Scene, bones: &Bones) -> Result<(), CliError> {
     let (figure, simulation) = (scene.figure(), scene.simulation());
     let (q, v) = simulation.state();
     let (rate, gravity) = (scene.settings().rate, *simulation.gravity());
@@ -109,9 +109,10 @@ fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<&RigMap>) -
     let start = Motion::new(figure, info, vec![0.0], [q.to_vec(), v.to_vec(), vec![0.0; v.len()]]);
     let start = start.map_err(CliError::other)?;
     outputs.try_out(|format| match format {
-        Format::Bvh => animation::bones(figure, &start, rig, &mut std::io::sink()),
+        Format::Bvh => animation::bones(figure, &start, bones, &mut std::io::sink()),
         Format::Body(_) => {
-            rig.map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop)).map_err(CliError::other)
+            let on = bones.rig.as_ref().map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop));
+            on.map_err(CliError::other)
         }
         _ => Ok(()),
     })
@@ -153,14 +154,14 @@ fn write(
     simulated: &Simulated,
     report: &Report,
     args: &RunArgs,
-    rig: Option<&RigMap>,
+    bones: &Bones,
 ) -> Result<(), CliError> {
     let strip = &args.film;
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => animation::bones(figure, motion, rig, writer),
-        Format::Body(how) => animation::body(how, figure, motion, "run", rig, writer),
+        Format::Bvh => animation::bones(figure, motion, bones, writer),
+        Format::Body(how) => animation::body(how, figure, motion, "run", bones, writer),
         Format::Sto => {
             solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }

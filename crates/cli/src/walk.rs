@@ -10,7 +10,7 @@ mod request;
 mod summary;
 mod told;
 
-use crate::animation::{self, BodyFormat};
+use crate::animation::{self, BodyFormat, Bones};
 use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WalkFiles, WhoArgs};
 use crate::error::{CliError, UsageError};
 use crate::input;
@@ -24,7 +24,6 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
-use solaris::io::rig::RigMap;
 use solaris::model::{Figure, Human, Motion, RootOrder};
 use solaris::view::{FilmOptions, PageOptions, Seen, film, page};
 use std::io::Write;
@@ -64,7 +63,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
         return Err(UsageError::NoStrip { option }.into());
     }
     animation::check(&files.bones, outputs.paths())?;
-    let rig = animation::rig(&files.bones)?;
+    let bones = animation::asked(&files.bones)?;
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
 
@@ -83,7 +82,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     outputs.write(|format, writer| {
         let motion =
             if matches!(format, Format::Html | Format::Svg | Format::Body(_)) { &motion } else { frames };
-        write(format, writer, &figure, motion, &report, files, rig.as_ref())
+        write(format, writer, &figure, motion, &report, files, &bones)
     })?;
     drop(progress);
 
@@ -148,13 +147,13 @@ fn write(
     motion: &Motion,
     report: &Report,
     files: &WalkFiles,
-    rig: Option<&RigMap>,
+    bones: &Bones,
 ) -> Result<(), CliError> {
     let strip = &files.film;
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => animation::bones(figure, motion, rig, writer),
-        Format::Body(how) => animation::body(how, figure, motion, "walk", rig, writer),
+        Format::Bvh => animation::bones(figure, motion, bones, writer),
+        Format::Body(how) => animation::body(how, figure, motion, "walk", bones, writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

@@ -74,7 +74,7 @@ pub(crate) fn replant(
     hips: &mut [Vector3<f64>],
 ) -> Replanted {
     let stances = [0, 1].map(|side| stances(take, side));
-    let count = stances.iter().map(Vec::len).sum();
+    let count = stance_count(take);
     let is_alike = alike(take, body, soles, footing.scale);
     let mut done = Replanted { scale: footing.scale, stances: count, is_alike, ..Replanted::default() };
     if is_alike || count == 0 {
@@ -138,6 +138,11 @@ fn bent(body: &Body, limbs: &Limbs, places: &[Placement], ankle: &Vector3<f64>) 
     let left = Vector3::x() - along * (along.x / along.norm_squared());
     let axis = places[limbs.thigh].rotation * (body.rest[limbs.thigh].rotation.inverse() * left);
     bend(&thigh, &shank, &axis.normalize(), &(ankle - at(limbs.thigh)))
+}
+
+/// How many times a foot stands.
+pub(crate) fn stance_count(take: &Take) -> usize {
+    [0, 1].map(|side| stances(take, side).len()).iter().sum()
 }
 
 /// The stretches of frames in which a foot stands on any point.

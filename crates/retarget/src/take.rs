@@ -8,6 +8,11 @@ use crate::roles::Roles;
 use crate::skeleton::Skeleton;
 use solaris_model::{Figure, Motion, Placement, UnitQuaternion};
 
+/// How far apart (rad, m) bones of one posture are.
+const CLOSED: (f64, f64) = (1e-3, 1e-3);
+/// Motions of fewer frames are no rounds of anything.
+const LEAST_ROUND: usize = 8;
+
 /// A motion, ready to be put onto another skeleton.
 #[derive(Clone, Debug)]
 pub struct Take {
@@ -84,6 +89,35 @@ impl Take {
         self.frames.drain(..first);
         self.stands.drain(..first);
         self
+    }
+
+    /// Of a motion that ends in the posture in which it begins, three rounds of it, one after the other: what is done about feet by what comes before and after is
+    /// so the same at both ends of the round in the middle. Nothing of any other.
+    pub(crate) fn rounds(&self) -> Option<Self> {
+        let (first, last) = (self.frames.first()?, self.frames.last()?);
+        let root = |places: &[Placement]| places[0].translation.vector;
+        // A level way from round to round; one that turns, too, is none.
+        let mut way = root(last) - root(first);
+        let closes = first.iter().zip(last).all(|(a, b)| {
+            let off = b.translation.vector - a.translation.vector - way;
+            a.rotation.angle_to(&b.rotation) < CLOSED.0 && off.norm() < CLOSED.1
+        });
+        if self.len() < LEAST_ROUND || !closes || way.y.abs() > CLOSED.1 {
+            return None;
+        }
+        way.y = 0.0;
+        let (round, duration) = (self.len() - 1, self.time[self.len() - 1] - self.time[0]);
+        let mut rounds = Self { time: Vec::new(), frames: Vec::new(), stands: Vec::new(), ..self.clone() };
+        for k in 0..=3 * round {
+            let (turn, frame) =
+                if k == 3 * round { (1.0, round) } else { ((k / round) as f64 - 1.0, k % round) };
+            rounds.time.push(self.time[frame] + turn * duration);
+            rounds.stands.push(self.stands[frame]);
+            let mut places = self.frames[frame].clone();
+            places.iter_mut().for_each(|place| place.translation.vector += way * turn);
+            rounds.frames.push(places);
+        }
+        Some(rounds)
     }
 
     /// How many frames it has.

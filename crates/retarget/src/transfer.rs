@@ -5,11 +5,12 @@ use crate::error::RetargetError;
 use crate::feet::{Sole, leg};
 use crate::heading::heading;
 use crate::planted::runs;
-use crate::replant::{Footing, replant};
+use crate::replant::{Footing, replant, stance_count};
 use crate::roles::Roles;
 use crate::skeleton::Skeleton;
 use crate::take::Take;
 use solaris_model::{Placement, UnitQuaternion, Vector3};
+use std::ops::Range;
 
 /// What was done about the feet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,6 +46,17 @@ pub struct Moved {
     pub replanted: Replanted,
 }
 
+impl Moved {
+    /// Leaves out all frames but these.
+    fn keep(&mut self, frames: Range<usize>) {
+        self.time = self.time[frames.clone()].to_vec();
+        for (_, turns) in &mut self.turns {
+            *turns = turns[frames.clone()].to_vec();
+        }
+        self.root.1 = self.root.1[frames].to_vec();
+    }
+}
+
 /// Puts a motion onto a skeleton.
 ///
 /// Both stand in their rest poses, in frames x left, y up, z forward that their hips and feet show. A bone with rotation `R` of
@@ -61,12 +73,14 @@ pub struct Moved {
 /// The middle of the hips goes as far as the source's, times the legs' ratio, and is as much lower than on straight legs. Where legs
 /// or feet are not alike, feet are planted anew: while a point of a sole (heel, ball or tip) stands in the source, it stands on the target, the foot
 /// rolling over them in turn; the foot keeps its rotation, and knee and hip bring the ankle to its place. In between the difference goes over
-/// smoothly. Where legs would not reach, the pelvis is lowered.
+/// smoothly. Where legs would not reach, the pelvis is lowered. What ends in the posture in which it begins does so on the target, too.
 ///
 /// # Errors
 ///
 /// A target that does not stand in its rest pose.
-pub fn retarget(take: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, RetargetError> {
+pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, RetargetError> {
+    let rounds = given.rounds();
+    let take = rounds.as_ref().unwrap_or(given);
     let turn = heading(onto, roles)?;
     let rest: Vec<Placement> = onto.bones.iter().map(|bone| turn * bone.rest).collect();
     let from: Vec<Placement> = take.skeleton.bones.iter().map(|bone| take.heading * bone.rest).collect();
@@ -93,7 +107,13 @@ pub fn retarget(take: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, Re
         hips.push(footing.place(&middle(&take.roles, places)));
     }
     let replanted = replant(take, &body, &soles, &footing, &mut driven, &mut hips);
-    Ok(moved(take, &body, &turn, &driven, &hips, replanted))
+    let mut moved = moved(take, &body, &turn, &driven, &hips, replanted);
+    if rounds.is_some() {
+        moved.keep(given.len() - 1..2 * given.len() - 1);
+        moved.time.clone_from(&given.time);
+        moved.replanted.stances = stance_count(given);
+    }
+    Ok(moved)
 }
 
 /// The target as its bones are turned.

@@ -34,7 +34,11 @@ pub(crate) struct RetargetArgs {
         help = "Where to write the character with the animation: .glb"
     )]
     pub(crate) output: PathBuf,
-    #[arg(long, value_name = "NAME", help = "What the animation is called [default: the clip's file name]")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        help = "What the animation is called [default: --clip, or the clip's file name]"
+    )]
     pub(crate) name: Option<String>,
     #[arg(long, value_name = "FILE", help = wrap(
         "Which bones of the character are which: Bones(pelvis: \"NAME\", left_thigh: \"NAME\", …), by the names of a human's links [default: \

@@ -1,4 +1,4 @@
-//! Whose bones an animation file has.
+//! Whose bones an animation file has, and what else.
 
 use super::wrap;
 use clap::Args;
@@ -17,6 +17,10 @@ pub(crate) struct RigArgs {
         ))
     )]
     pub(crate) rig: Option<AskedRig>,
+    #[arg(long, help = wrap(
+        "In .glb, an arrow for each force of a contact, 1 m for the body's weight, and a ball at the centre of mass, as nodes of their own"
+    ))]
+    pub(crate) arrows: bool,
 }
 
 /// A rig by its name, or the file that tells it.

@@ -1,7 +1,7 @@
 //! One person of a crowd: from a row to a motion.
 
 use super::table::People;
-use crate::animation::{self, BodyFormat, Person};
+use crate::animation::{self, BodyFormat, Bones, Person};
 use crate::args::{CrowdArgs, CrowdFormat, Number, PLACES, WalkArgs, parse, walk_options};
 use crate::error::CliError;
 use crate::walk::{asked, figure, heading_first};
@@ -194,7 +194,9 @@ impl<'a> Crowd<'a> {
             CrowdFormat::Csv => {
                 solaris::io::csv::write(figure, motion, &mut bytes).map_err(CliError::other)?;
             }
-            CrowdFormat::Glb => animation::body(BodyFormat::Glb, figure, motion, "walk", None, &mut bytes)?,
+            CrowdFormat::Glb => {
+                animation::body(BodyFormat::Glb, figure, motion, "walk", &Bones::default(), &mut bytes)?
+            }
             CrowdFormat::Bvh => {
                 let unit = solaris::io::bvh::Unit::default();
                 solaris::io::bvh::write(figure, motion, unit, &mut bytes).map_err(CliError::other)?;

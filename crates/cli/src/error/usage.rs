@@ -67,6 +67,8 @@ pub(crate) enum UsageError {
     NoStrip { option: &'static str },
     #[error("--rig says whose bones a file has, and none with bones is written; add -o x.glb or -o x.bvh")]
     NoBones,
+    #[error("--arrows are nodes of a .glb, and none is written; add -o x.glb")]
+    NoArrows,
     #[error("--format says what the files of a folder are; -o {} is one file", .path.display())]
     FormatOfOne { path: PathBuf },
     #[error("--curve is given {found} times; a blend has two curves")]

@@ -1,6 +1,6 @@
 //! `solaris gait set`: clips for a character of a game.
 
-use crate::animation;
+use crate::animation::{self, Bones};
 use crate::args::{Loop, SetArgs};
 use crate::error::CliError;
 use crate::output::{Formats, Outputs, is_folder, make_folder};
@@ -11,7 +11,6 @@ use crate::words::short;
 use serde::Serialize;
 use solaris::gait::set::{ClipSet, SetClip, SetRequest, clip_set};
 use solaris::gait::{GaitError, RequestError, WalkRequest};
-use solaris::io::rig::RigMap;
 use solaris::model::Figure;
 use std::io::Write;
 use std::path::PathBuf;
@@ -52,8 +51,7 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
     if folders.is_empty() {
         animation::check(&args.bones, outputs.paths())?;
     }
-    let rig = animation::rig(&args.bones)?;
-    let rig = rig.as_ref();
+    let how = &animation::asked(&args.bones)?;
     let figure = match args.who.figure {
         Some(_) => figure(&args.who)?,
         None => heading_first(&args.who.person)?,
@@ -78,12 +76,12 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
         let all = paths.iter().map(|path| ("-o", path, CLIPS)).chain([("-o", &index, FILES)]);
         let mut clips = set.clips.iter();
         Outputs::new(all)?.write(|format, writer| match clips.next() {
-            Some(clip) => bones(&figure, clip, rig, writer),
-            None => write(format, &figure, &set, rig, writer),
+            Some(clip) => bones(&figure, clip, how, writer),
+            None => write(format, &figure, &set, how, writer),
         })?;
         written.push(format!("wrote {} clips and {INDEX} into {}", paths.len(), folder.display()));
     }
-    outputs.write(|format, writer| write(format, &figure, &set, rig, writer))?;
+    outputs.write(|format, writer| write(format, &figure, &set, how, writer))?;
     written.extend(outputs.written());
     drop(progress);
     print(|out| if args.json { write_json(out, &told(&figure, &set)) } else { table(out, &set, &written) })
@@ -106,21 +104,16 @@ fn told<'a>(figure: &'a Figure, set: &'a ClipSet) -> Written<'a> {
 }
 
 /// A clip as motion capture: of a loop without its last frame, which is its first one.
-fn bones(
-    figure: &Figure,
-    clip: &SetClip,
-    rig: Option<&RigMap>,
-    writer: &mut dyn Write,
-) -> Result<(), CliError> {
+fn bones(figure: &Figure, clip: &SetClip, how: &Bones, writer: &mut dyn Write) -> Result<(), CliError> {
     let shorter = if clip.repeats { Some(without_last(figure, &clip.motion)?) } else { None };
-    animation::bones(figure, shorter.as_ref().unwrap_or(&clip.motion), rig, writer)
+    animation::bones(figure, shorter.as_ref().unwrap_or(&clip.motion), how, writer)
 }
 
 fn write(
     format: Format,
     figure: &Figure,
     set: &ClipSet,
-    rig: Option<&RigMap>,
+    how: &Bones,
     writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     match format {
@@ -130,7 +123,7 @@ fn write(
         }
         Format::Glb => {
             let motions: Vec<_> = set.clips.iter().map(|clip| (clip.name.as_str(), &clip.motion)).collect();
-            animation::clips(figure, &motions, rig, writer)
+            animation::clips(figure, &motions, how, writer)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The files that `solaris ground` and `solaris inverse` write.
 
-use crate::animation::{self, BodyFormat};
+use crate::animation::{self, BodyFormat, Bones};
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::Given;
@@ -85,7 +85,9 @@ pub(crate) fn write_motion(
         MotionFormat::Csv => csv::write(figure, motion, &mut writer),
         MotionFormat::Sto => sto::write(&positions(figure, motion), &mut writer),
         MotionFormat::Bvh => bvh::write(figure, motion, Unit::default(), &mut writer),
-        MotionFormat::Body(how) => return animation::body(how, figure, motion, "moved", None, writer),
+        MotionFormat::Body(how) => {
+            return animation::body(how, figure, motion, "moved", &Bones::default(), writer);
+        }
     }
     .map_err(CliError::other)
 }

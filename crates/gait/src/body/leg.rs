@@ -1,6 +1,5 @@
 //! The geometry of a leg, and the closed forms that need nothing else.
 
-use super::foot::mirror;
 use super::roles::SIDES;
 use crate::error::BodyError;
 use nalgebra::Vector3;
@@ -130,7 +129,7 @@ impl LegGeometry {
         let offset = |name: &str| link(name).map(|link| link.joint().placement().translation.vector);
         for (name, joint) in [("thigh", "hip"), ("shank", "knee"), ("foot", "ankle"), ("toes", "toes")] {
             let (left, right) = (offset(&format!("left_{name}"))?, offset(&format!("right_{name}"))?);
-            let difference = (left - mirror(&right)).amax();
+            let difference = (left - Vector3::new(-right.x, right.y, right.z)).amax();
             if matches!(name, "thigh" | "toes") && difference > ALIKE {
                 return Err(BodyError::LegsDiffer { joint, difference });
             }

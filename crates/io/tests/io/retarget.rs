@@ -5,7 +5,7 @@ pub(crate) mod made;
 
 use made::Made;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use solaris_gait::{WalkRequest, walk};
+use solaris_gait::{Extent, WalkRequest, walk};
 use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::glb::{self, Actor, Character, Options, read};
 use solaris_io::rig::{Rig, Rigged};
@@ -269,4 +269,30 @@ fn who_has_no_thigh_is_told_what_there_is() {
     let wrong = BoneMap::read("(left_thigh: \"Oberschenkl\")").expect("a map");
     let error = Roles::find(character.skeleton(), &wrong).expect_err("no such bone").to_string();
     assert!(error.contains("did you mean 'Oberschenkel'?") || error.contains("Oberschenkel"), "{error}");
+}
+
+#[test]
+fn what_goes_round_and_round_does_so_on_other_legs() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let request = WalkRequest { extent: Extent::Steps(60), ..WalkRequest::default() };
+    let plan = walk(&ann, &request).expect("a walk");
+    let round = plan.stride_loop().expect("a middle stride").motion(&ann, 30.0).expect("a motion");
+    let take = take(&ann, &round);
+    for (what, made) in strangers() {
+        let (_, moved, _) = onto(&made.bytes(), &take);
+        assert_eq!((moved.time.len(), moved.time[0]), (round.len(), round.time()[0]));
+        for (bone, turns) in &moved.turns {
+            let off = turns[0].angle_to(&turns[turns.len() - 1]);
+            assert!(off < 1e-6, "{what}, bone {bone}: {off} rad from its beginning");
+        }
+        let [first, last] = [0, round.len() - 1].map(|frame| moved.root.1[frame]);
+        let way = (last - first).norm() / moved.replanted.scale;
+        assert!((last - first).y.abs() < 1e-9 && (way - 2.0 * 0.712_25).abs() < 0.01, "{what}: {way} m");
+        // A foot that stands as the round ends is the one that stands as it begins.
+        assert!(
+            moved.replanted.stances >= 2 && moved.replanted.slide < 1e-9,
+            "{what}: {:?}",
+            moved.replanted
+        );
+    }
 }
