@@ -396,7 +396,7 @@ impl Inverse {
 
     /// Writes the motion with its forces; see `Motion.save`.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        py.detach(|| crate::written::save(&self.motion, &path))
+        py.detach(|| crate::written::save(&self.motion, &path, false))
     }
 
     fn __repr__(&self) -> String {

@@ -386,8 +386,9 @@ impl Walk {
     }
 
     /// Writes the motion; see `Motion.save`.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        py.detach(|| crate::written::save(&self.motion, &path))
+    #[pyo3(signature = (path, *, arrows=false))]
+    fn save(&self, py: Python<'_>, path: PathBuf, arrows: bool) -> PyResult<()> {
+        py.detach(|| crate::written::save(&self.motion, &path, arrows))
     }
 
     /// A page inside a notebook.

@@ -69,6 +69,22 @@ fn all_joints_share_it_with_the_least_force() {
     assert_relative_eq!(power, needed * 2.0, epsilon = 1e-9);
 }
 
+/// Where two of three are driven the third bears nothing, and the two have the least sum of squares all the same.
+#[test]
+fn two_joints_of_three_share_it_with_the_least_force() {
+    let (figure, ties) = four_bar();
+    let [q, v, a] = state(0.7, 2.0, -3.0);
+    let needed = needed(0.7, -3.0);
+    for idle in 0..3 {
+        let driven: Vec<bool> = (0..3).map(|dof| dof != idle).collect();
+        let found = closed_forces(&figure, Vector3::y() * -G, &ties, &driven, [&q, &v, &a]).expect("forces");
+        for (dof, sign) in [1.0, -1.0, 1.0].into_iter().enumerate() {
+            let expected = if dof == idle { 0.0 } else { sign * needed / 2.0 };
+            assert_relative_eq!(found.tau[dof], expected, epsilon = 1e-9);
+        }
+    }
+}
+
 /// At rest with the cranks upright on one side: the force in the loop carries half of the coupler, and nothing across the plane.
 #[test]
 fn the_loop_bears_its_share_of_the_weight() {

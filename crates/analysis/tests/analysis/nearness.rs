@@ -64,6 +64,11 @@ fn arms_that_lean_towards_each_other_are_as_near_as_their_tips() {
     assert!((nearest.distance + 0.08).abs() < 1e-15, "{nearest:?}");
     assert!(nearest.time >= (5.0_f64 / 6.0).asin(), "{nearest:?}");
     assert_eq!(nearest.links, ["left", "right"]);
+    // One pair for all the time.
+    let time: Vec<f64> = (0..=120).map(|k| 0.01 * f64::from(k)).collect();
+    let [spell] = &found.limbs(&figure, &time).spells[..] else { panic!("of one pair") };
+    assert_eq!((&spell.links, spell.from, spell.to), (&nearest.links, 0.0, time[120]));
+    assert_eq!((spell.distance, spell.time), (nearest.distance, nearest.time));
 }
 
 #[test]

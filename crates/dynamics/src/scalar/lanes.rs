@@ -182,6 +182,7 @@ mod tests {
         assert!(!Lanes::new([1.0, 2.1]).all_within(1.0, 2.0));
         assert!(!Lanes::new([f64::NAN, 2.0]).all_within(1.0, 2.0));
         assert!(Lanes::new([1.0, 2.0]).is_finite() && !Lanes::new([1.0, f64::INFINITY]).is_finite());
+        assert_eq!((Lanes::new([-3.0, -2.0]).greatest(), Lanes::new([5.0, 2.0]).greatest()), (-2.0, 5.0));
         assert!(Lanes::new([0.0, -0.0]).is_zero() && !Lanes::new([0.0, 1e-300]).is_zero());
     }
 
