@@ -12,6 +12,7 @@ fn remedy(remedy: &Remedy) -> Option<&'static str> {
         Remedy::StartAtCurve => "start: {…}, velocities: {…}",
         Remedy::MoveInstead => "Move(…)",
         Remedy::SoftLimits => "limits: Spring(stiffness: 500)",
+        Remedy::Impulses => "method: Impulses(step: 1e-3)",
         Remedy::CompliantGround => "contact: Compliant()",
         _ => return None,
     })

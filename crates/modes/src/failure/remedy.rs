@@ -91,6 +91,8 @@ pub enum Remedy {
     OtherPosture,
     /// A ground that gives way.
     CompliantGround,
+    /// Steps of impulses, which bear whatever touches.
+    Impulses,
 }
 
 impl fmt::Display for Remedy {
@@ -151,6 +153,7 @@ impl fmt::Display for Remedy {
             Self::OtherPosture => {
                 "bend what is stretched and give light links more mass, as every joint of what stands is free already"
             }
+            Self::Impulses => "take steps of impulses, which bear whatever touches and slides",
             Self::CompliantGround => "take a ground of springs, where everything slides a little",
         })
     }

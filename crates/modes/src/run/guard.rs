@@ -1,5 +1,6 @@
 //! The guard of a pass: condition, stiffness, energy, and the failures it names.
 
+use crate::contact::ContactLaw;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Phase;
 use crate::settings::Guard;
@@ -222,6 +223,11 @@ pub(crate) fn explain(
     };
     let found = (suspect && state).then(|| too_long(simulation, phase, stepping, failure.time, y)).flatten();
     let found = found.filter(|found| is_believed(found));
+    // What is held and let go again and again on rigid ground takes a step each time.
+    let is_rigid = simulation.grounded().is_some_and(|(plane, _)| plane.law == ContactLaw::Rigid);
+    if is_rigid && matches!(failure.cause, FailureKind::Evaluations { .. }) {
+        failure.remedies.insert(0, Remedy::Impulses);
+    }
     if suspect {
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut states = before.to_vec();

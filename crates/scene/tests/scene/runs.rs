@@ -263,6 +263,21 @@ fn a_jumper_flies_as_its_take_off_says() {
     assert!(landed, "{:?}", simulated.motion.events);
 }
 
+/// Feet that curves drag over rigid ground: what holds them lets go and takes hold without end.
+#[test]
+fn rigid_ground_that_takes_too_much_names_impulses() {
+    let text = r#"Scene(version: 1, duration: 1.0, guard: Guard(evaluations: 3e3), figures: {"a": Human(height: 1.75, mass: 73.0)},
+        ground: Flat(friction: 0.8, contact: Rigid, stand: true),
+        drives: {"*": Frozen, "root.*": Free, "left_hip.rx": Move(to: deg(-20), over: 1.0), "right_hip.rz": Move(to: deg(-15), over: 1.0)})"#;
+    let scene = read(text, &mut NoFiles).expect("a scene");
+    let error = scene.simulate(&mut ()).expect_err("too much").to_string();
+    assert!(error.contains("evaluations of the dynamics are spent"), "{error}");
+    assert!(
+        error.contains("which bear whatever touches and slides (method: Impulses(step: 1e-3))"),
+        "{error}"
+    );
+}
+
 #[test]
 fn a_tolerance_that_no_setting_meets_is_said_with_what_to_try() {
     // Two rods that fall through their upright positions for a while: what is off grows by e several times a second.
