@@ -102,6 +102,20 @@ impl Trial {
     }
 }
 
+/// What is told beside a finding: its value, past its threshold, in its unit.
+#[test]
+fn a_finding_tells_its_value_beside_its_threshold() {
+    let small = MotionFinding::RadiansAsDegrees { greatest: 1.2 };
+    assert_eq!((small.value_and_threshold(), small.unit()), ((1.2, 2.5), "°"));
+    for mut trial in trials() {
+        trial.swap();
+        for found in trial.findings() {
+            let (value, threshold) = found.value_and_threshold();
+            assert!(value > threshold && threshold > 0.0, "{}: {found}: {value}, {threshold}", trial.name);
+        }
+    }
+}
+
 #[test]
 fn right_plates_raise_nothing() {
     for trial in trials() {

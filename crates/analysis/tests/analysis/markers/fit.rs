@@ -78,7 +78,8 @@ fn what_fits_already_stays() {
     let trial = seen(&figure, &markers, &swaying(&figure, 30, 2.0));
     let found = fit(&figure, &markers, &[trial]);
     assert!(found.factors.iter().all(|factor| factor.add_scalar(-1.0).amax() < 1e-4));
-    assert!(found.moved.iter().all(|(_, by)| *by < 1e-4) && found.rms < 1e-4);
+    assert!(found.moved.iter().all(|(_, by)| (0.0..1e-4).contains(by)) && found.rms < 1e-4);
+    assert!(found.moved.iter().map(|(name, _)| name).eq(markers.iter().map(|marker| &marker.name)));
 }
 
 #[test]
