@@ -20,9 +20,15 @@ const BESIDE: f64 = 1e-6;
 /// Sine of the most that a pelvis hangs to one side for a leg that is shorter.
 const STEEPEST: f64 = 0.5;
 
-/// Whether a body is heavier on one side, or stands on legs of unequal length.
+/// Whether a body is heavier on one side, or stands on legs of unequal lengths.
 pub(crate) fn is_lopsided(body: &Body) -> bool {
-    is_heavier(body) || list(body) != 0.0
+    is_heavier(body) || legs_differ(body)
+}
+
+/// Whether thighs or shanks are of unequal length.
+pub(crate) fn legs_differ(body: &Body) -> bool {
+    let [left, right] = body.sides;
+    (left.thigh - right.thigh).abs() > BESIDE || (left.shank - right.shank).abs() > BESIDE
 }
 
 /// How far the pelvis hangs to the right, so that each hip is as high over its foot as its own leg wants it:
