@@ -32,8 +32,7 @@ pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
             let actors = [Actor { name: figure.name(), figure, skin: None }];
             let clips = [Clip { name: "motion", motions: vec![(0, motion)] }];
             let options = glb::Options { forces: arrows, ..glb::Options::default() };
-            glb::write(&actors, &clips, options, &mut bytes)
-                .map_err(|error| refuse(&error))?;
+            glb::write(&actors, &clips, options, &mut bytes).map_err(|error| refuse(&error))?;
         }
         "usda" => {
             let skin = solaris::skin::skin(figure, glb::Detail::default());
