@@ -30,7 +30,7 @@ impl Walker {
     #[pyo3(signature = (figure=None))]
     fn new(py: Python<'_>, figure: Option<&Figure>) -> PyResult<Self> {
         let figure =
-            figure.map_or_else(|| human(1.75, None, None, true, None), |figure| Ok(figure.clone()))?;
+            figure.map_or_else(|| human(1.75, None, None, true, None, None), |figure| Ok(figure.clone()))?;
         let walker = py.detach(|| gait::Walker::new(figure.figure())).map_err(crate::errors::gait)?;
         Ok(Self { figure, walker })
     }
