@@ -114,7 +114,9 @@ impl Take {
             rounds.time.push(self.time[frame] + turn * duration);
             rounds.stands.push(self.stands[frame]);
             let mut places = self.frames[frame].clone();
-            places.iter_mut().for_each(|place| place.translation.vector += way * turn);
+            for place in &mut places {
+                place.translation.vector += way * turn;
+            }
             rounds.frames.push(places);
         }
         Some(rounds)

@@ -195,7 +195,7 @@ impl<'a> Crowd<'a> {
                 solaris::io::csv::write(figure, motion, &mut bytes).map_err(CliError::other)?;
             }
             CrowdFormat::Glb => {
-                animation::body(BodyFormat::Glb, figure, motion, "walk", &Bones::default(), &mut bytes)?
+                animation::body(BodyFormat::Glb, figure, motion, "walk", &Bones::default(), &mut bytes)?;
             }
             CrowdFormat::Bvh => {
                 let unit = solaris::io::bvh::Unit::default();

@@ -71,7 +71,6 @@ impl FigureReader<'_> {
             }
             human = human.segment_length(&segment.name, segment.amount);
         }
-        type Sided = fn(Human, &Named) -> Human;
         let with_load: Sided = |human, load| human.load(&load.name, load.amount);
         let with_leg: Sided = |human, leg| human.shorter_leg(&leg.name, leg.amount);
         let loads = loads.into_iter().map(|load| (with_load, load));
@@ -169,7 +168,10 @@ impl FigureReader<'_> {
     }
 }
 
-/// A segment's own length or a hand's load, and where it stands.
+/// A person with what a side has of its own.
+type Sided = fn(Human, &Named) -> Human;
+
+/// A segment's own length or what a side has, and where it stands.
 struct Named {
     name: String,
     amount: f64,
