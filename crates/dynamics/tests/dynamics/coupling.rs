@@ -149,41 +149,9 @@ fn what_is_bound_is_not_accelerated_as_if_it_were_free() {
     assert_eq!(error.to_string(), "tau of dof 'hip.rz' is NaN; it must be a finite number");
 }
 
-/// A mass matrix that is not positive is refused by the first degree of freedom that shows it, with what is left for it.
-#[test]
-fn an_inertia_below_zero_is_refused_by_name() {
+/// Who is refused, with what inertia is left for it: an arm of 1 kg, this hand on it, and a nail that follows the shoulder.
+fn refused(hand: LinkSpec) -> (String, f64) {
     let arm = LinkSpec::root("arm", Joint::new("shoulder").rz()).mass(1.0).com(Vector3::new(0.5, 0.0, 0.0));
-    let hand =
-        LinkSpec::child("hand", "arm", Joint::new("wrist").rz()).inertia(Inertia::diagonal(1.0, 1.0, -2.0));
-    let nail = LinkSpec::child(
-        "nail",
-        "hand",
-        Joint::new("tip").rx().following("shoulder", Curve::linear(1.0, 0.0)),
-    );
-    let figure = [arm, hand, nail]
-        .into_iter()
-        .fold(FigureBuilder::new("f"), FigureBuilder::link)
-        .build()
-        .expect("a figure");
-    let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("finite");
-    let (mut workspace, mut coupling) = (Workspace::new(&tree), Coupling::new(&figure));
-    let zero = [0.0; 3];
-    let error = coupling
-        .forward_dynamics(&tree, &mut workspace, &zero, &zero, &zero, &[], &mut [0.0; 3])
-        .expect_err("not positive");
-    let DynamicsError::NoInertia { dof, inertia } = error else { panic!("{error}") };
-    assert_eq!(dof, "shoulder.rz");
-    assert!((inertia - (0.25 - 2.0)).abs() < 1e-14, "{inertia}");
-}
-
-/// The same where the matrix' diagonal is above zero, and what is left of it once the shoulder is taken out is not.
-#[test]
-fn an_inertia_that_is_missing_further_out_is_refused_by_that_name() {
-    let com = Vector3::new(0.5, 0.0, 0.0);
-    let arm = LinkSpec::root("arm", Joint::new("shoulder").rz()).mass(1.0).com(com);
-    let wrist = Joint::new("wrist").at(Vector3::x()).rz();
-    let hand = LinkSpec::child("hand", "arm", wrist).mass(1.0).com(com);
-    let hand = hand.inertia(Inertia::diagonal(1.0, 1.0, -0.2));
     let tip = Joint::new("tip").rx().following("shoulder", Curve::linear(1.0, 0.0));
     let figure = [arm, hand, LinkSpec::child("nail", "hand", tip)]
         .into_iter()
@@ -197,6 +165,24 @@ fn an_inertia_that_is_missing_further_out_is_refused_by_that_name() {
         .forward_dynamics(&tree, &mut workspace, &zero, &zero, &zero, &[], &mut [0.0; 3])
         .expect_err("not positive");
     let DynamicsError::NoInertia { dof, inertia } = error else { panic!("{error}") };
+    (dof, inertia)
+}
+
+/// A mass matrix that is not positive is refused by the first degree of freedom that shows it, with what is left for it.
+#[test]
+fn an_inertia_below_zero_is_refused_by_name() {
+    let hand = LinkSpec::child("hand", "arm", Joint::new("wrist").rz());
+    let (dof, inertia) = refused(hand.inertia(Inertia::diagonal(1.0, 1.0, -2.0)));
+    assert_eq!(dof, "shoulder.rz");
+    assert!((inertia - (0.25 - 2.0)).abs() < 1e-14, "{inertia}");
+}
+
+/// The same where the matrix' diagonal is above zero, and what is left of it once the shoulder is taken out is not.
+#[test]
+fn an_inertia_that_is_missing_further_out_is_refused_by_that_name() {
+    let hand = LinkSpec::child("hand", "arm", Joint::new("wrist").at(Vector3::x()).rz());
+    let hand = hand.mass(1.0).com(Vector3::new(0.5, 0.0, 0.0));
+    let (dof, inertia) = refused(hand.inertia(Inertia::diagonal(1.0, 1.0, -0.2)));
     assert_eq!(dof, "wrist.rz");
     // M = [2.3 0.55; 0.55 0.05]: m·l² of both, less 0.2.
     assert!((inertia - (0.05 - 0.55 * 0.55 / 2.3)).abs() < 1e-14, "{inertia}");

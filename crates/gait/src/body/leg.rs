@@ -14,7 +14,7 @@ pub(crate) const UNEQUAL: f64 = 0.035;
 /// How far from the shorter of two legs to the longer one is what both are planned by.
 const LONGER: f64 = 0.3;
 
-/// Lengths of the left leg in the sagittal plane (m, rad); the right one is its mirror image.
+/// Lengths of a leg in the sagittal plane (m, rad): of the left one, or of the right one as its mirror image.
 ///
 /// It is plain data, so that the closed forms can be tried with bare numbers too. The thesis's legs, with the ankle on
 /// the ground, have `ankle_height` 0.
