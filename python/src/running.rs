@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use solaris::model::nearest;
 use solaris::modes::time::Stepping;
-use solaris::modes::{self, Drive, Method, Rule, RunError, Shape};
+use solaris::modes::{self, Drive, Rule, RunError, Shape};
 use solaris::scene::Scene;
 
 /// The step of scenes that leave the method to be chosen (s).
@@ -52,15 +52,9 @@ impl Running {
         step: Option<f64>,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
-        let own = match scene.settings().method {
-            Method::Fixed { rule, step } => Stepping::Fixed { rule, step },
-            Method::Impulses { step } => Stepping::Impulses { step },
-            Method::Adaptive { tolerance } => Stepping::Adaptive { tolerance },
-            _ => Stepping::Fixed { rule: Rule::RungeKutta4, step: STEP },
-        };
         let fixed = |rule| Stepping::Fixed { rule, step: STEP };
         let stepping = match method {
-            None => own,
+            None => scene.simulation().stepping_for(scene.settings().method),
             Some("rk4") => fixed(Rule::RungeKutta4),
             Some("euler") => fixed(Rule::ExplicitEuler),
             Some("semi-implicit-euler") => fixed(Rule::SemiImplicitEuler),

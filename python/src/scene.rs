@@ -137,7 +137,8 @@ impl Scene {
     /// Begins it, to be taken further step by step.
     ///
     /// By the scene's own method, or by `method`: `"rk4"`, `"euler"`, `"semi-implicit-euler"`, `"constant-acceleration"` or `"impulses"` in steps of at most
-    /// `step` (s), or `"adaptive"` to a `tolerance`. A scene that leaves the method open is stepped by `"rk4"` at a millisecond.
+    /// `step` (s), or `"adaptive"` to a `tolerance`. A scene that leaves the method open is stepped at a
+    /// millisecond, by `"impulses"` over ground or where links touch or are held together, else by `"rk4"`.
     #[pyo3(signature = (*, method=None, step=None, tolerance=None))]
     fn start(
         &self,

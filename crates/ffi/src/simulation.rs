@@ -4,19 +4,16 @@ use crate::error::{Failure, Status, guard};
 use crate::figure::Figure;
 use crate::given::{free, give, handle, handle_mut, numbers, numbers_mut, words};
 use solaris::files::{self, Body};
-use solaris::modes::time::Stepping;
-use solaris::modes::{Method, Rule, Running};
+use solaris::modes::Running;
 use solaris::scene::{NoFiles, Scene, read};
 use std::ffi::c_char;
 use std::path::Path;
 
-/// The step of scenes that leave the method to be chosen (s).
-const STEP: f64 = 1e-3;
-
 /// A scene on its way.
 pub struct Simulation(Running);
 
-/// Begins a scene of a file (`.ron`), by its own method, or by Runge and Kutta's rule at a millisecond where it leaves the method open.
+/// Begins a scene of a file (`.ron`), by its own method; where it leaves that open in steps of a millisecond, by impulses over ground or
+/// where links touch or are held together, else by Runge and Kutta's rule.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn solaris_simulation_read(path: *const c_char, out: *mut *mut Simulation) -> Status {
     guard(|| {
@@ -40,13 +37,11 @@ pub unsafe extern "C" fn solaris_simulation_from_text(
 }
 
 fn begin(scene: &Scene) -> Result<Simulation, Failure> {
-    let stepping = match scene.settings().method {
-        Method::Fixed { rule, step } => Stepping::Fixed { rule, step },
-        Method::Impulses { step } => Stepping::Impulses { step },
-        Method::Adaptive { tolerance } => Stepping::Adaptive { tolerance },
-        _ => Stepping::Fixed { rule: Rule::RungeKutta4, step: STEP },
-    };
-    scene.simulation().start(stepping).map(Simulation).map_err(Failure::refused)
+    let simulation = scene.simulation();
+    simulation
+        .start(simulation.stepping_for(scene.settings().method))
+        .map(Simulation)
+        .map_err(Failure::refused)
 }
 
 /// Frees it.

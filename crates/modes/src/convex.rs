@@ -11,11 +11,11 @@ use nalgebra::DMatrix;
 /// The most steps of Newton's method; a handful is usual.
 const MOST_STEPS: usize = 100;
 
-/// The most rounds in which friction is bound anew; where every push was known from the step before, fewer will do, for what is left the
-/// next step finds. (Of the steps of a limp person who falls, half have met within 2e-4 of the greatest push after four, and nine in ten
-/// within 4 %; twice as many hardly come nearer.)
-const MOST_BOUNDS: usize = 8;
-const MOST_BOUNDS_KNOWN: usize = 4;
+/// The most rounds in which friction is bound anew; three or four are usual.
+const MOST_BOUNDS: usize = 16;
+
+/// Bounds whose change is more than this part of the one before go to and fro.
+const FALLS: f64 = 0.9;
 
 /// A bound of friction that changes by less than this part of the greatest push is the same.
 const SAME_BOUND: f64 = 1e-3;
@@ -260,24 +260,28 @@ impl Convex {
     ///
     /// A cone makes what slides lift off, for its impulses are square to it. So friction is then bound by the push that was found,
     /// which is convex again, and so on until the push does not change: Coulomb's law, with each answer on the way one of its own.
+    /// Where legs are wedged against the ground, friction of one foot presses the other down, more than by as much, and bounds go to
+    /// and fro for ever: then they go only half of the way, and half of that.
     pub(crate) fn solve(&mut self) -> usize {
         if self.conditions.is_empty() {
             self.v.copy_from_slice(&self.free);
             return 0;
         }
         let mut steps = self.minimize();
-        let is_known =
-            |condition: &Condition| !(condition.law.is_cone() && condition.pushed.impulse[2] > 0.0);
-        let most = if self.conditions.iter().all(is_known) { MOST_BOUNDS_KNOWN } else { MOST_BOUNDS };
-        for _ in 0..most {
-            let bounds = self.conditions.iter().map(|condition| condition.law.bound(&condition.pushed).1);
-            let change = bounds.fold(0.0, f64::max);
-            let most = self.conditions.iter().map(|condition| condition.pushed.impulse[2]);
-            if change <= SAME_BOUND * most.fold(0.0, f64::max) {
+        let (mut share, mut before) = (1.0, f64::INFINITY);
+        for _ in 0..MOST_BOUNDS {
+            let changes = self.conditions.iter().map(|condition| condition.law.off_bound(&condition.pushed));
+            let change = changes.fold(0.0, f64::max);
+            let pushes = self.conditions.iter().map(|condition| condition.pushed.impulse[2]);
+            if change <= SAME_BOUND * pushes.fold(0.0, f64::max) {
                 break;
             }
+            if change > FALLS * before {
+                share *= 0.5;
+            }
+            before = change;
             for condition in &mut self.conditions {
-                condition.law = condition.law.bound(&condition.pushed).0;
+                condition.law = condition.law.nearer_to(condition.pushed.impulse[2], share);
             }
             steps += self.minimize();
         }

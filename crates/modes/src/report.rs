@@ -14,7 +14,7 @@ pub use energy::{Energy, EnergyReport};
 pub use outcome::{Impact, Outcome, OutcomeKind};
 pub use phase::PhaseReport;
 
-use crate::failure::RunError;
+use crate::failure::{RunError, RunFailure};
 use solaris_model::Motion;
 use std::fmt;
 
@@ -78,6 +78,13 @@ pub enum Remark {
     },
     /// A stiff method was tried and did not come to the end.
     StiffFailed(Box<RunError>),
+    /// On rigid ground, forces that keep what stands came to no end: steps are by impulses, of order one.
+    ImpulsesInstead {
+        /// What positions should have been off by (rad or m).
+        tolerance: f64,
+        /// How the run by forces ended.
+        failure: Box<RunFailure>,
+    },
     /// The run could not be compared with another.
     NoEstimate,
     /// What whoever made the simulation has to say of it.
@@ -105,6 +112,12 @@ impl fmt::Display for Remark {
                  evaluations"
             ),
             Self::StiffFailed(error) => write!(f, "the stiff method did not come to the end: {error}"),
+            Self::ImpulsesInstead { tolerance, failure } => write!(
+                f,
+                "forces that keep what stands on rigid ground, within {tolerance:e}, came to no end at t = {:.4} s ({}): steps are by \
+                 impulses, which are of order one; name a method to have it otherwise",
+                failure.time, failure.cause
+            ),
             Self::NoEstimate => {
                 f.write_str("no other step or tolerance came to the end: there is no error estimate")
             }

@@ -22,6 +22,7 @@ mod record;
 mod running;
 mod stages;
 mod tracks;
+mod usual;
 mod watching;
 
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
@@ -102,6 +103,7 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     let simulation = &Arc::new(simulation.clone());
     let begun = observer.now();
     let chosen = match settings.method {
+        Method::Usual => usual::choose(simulation, settings, observer)?,
         Method::Automatic { tolerance } => {
             automatic::choose(simulation, settings, tolerance, &mut Passes::new(observer, settings))?
         }
@@ -110,10 +112,7 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
             let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
             named(simulation, settings, Stepping::Fixed { rule, step }, observer)?
         }
-        Method::Impulses { step } => {
-            let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
-            named(simulation, settings, Stepping::Impulses { step }, observer)?
-        }
+        Method::Impulses { step } => by_impulses(simulation, settings, step, observer)?,
         Method::Adaptive { tolerance } => {
             named(simulation, settings, Stepping::Adaptive { tolerance }, observer)?
         }
@@ -131,13 +130,13 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
         mut phases,
         ground,
         pushed,
+        by_impulses,
         ..
     } = passed;
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
     let all_between = std::mem::take(&mut record.between);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
-    let by_impulses = matches!(settings.method, Method::Impulses { .. });
     let mut ground = contacts::add(simulation, &mut motion, &ground, &planted, by_impulses)?;
     if let Some(ground) = &mut ground {
         ground.landings = landings;
@@ -263,6 +262,17 @@ fn describe(stepping: Stepping, rate: f64) -> String {
     }
 }
 
+/// By impulses, in steps of so many to a frame that none is longer than this (s).
+fn by_impulses(
+    simulation: &Arc<Simulation>,
+    settings: &Settings,
+    step: f64,
+    observer: &mut dyn Observer,
+) -> Result<Chosen, RunError> {
+    let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
+    named(simulation, settings, Stepping::Impulses { step }, observer)
+}
+
 /// By the method that was named, with an error estimate where one is wanted: the difference from a run with twice the step.
 ///
 /// ```text
@@ -305,9 +315,12 @@ fn named(
         error = settings.estimate.then(ErrorEstimate::default);
     }
     let method = if passed.is_dynamic { describe(stepping, settings.rate) } else { NOTHING.to_owned() };
-    let why = if passed.is_dynamic { "it was named" } else { "every motion is given" }.to_owned();
+    let why = if passed.is_dynamic { NAMED } else { "every motion is given" }.to_owned();
     Ok(Chosen { passed, error, method, why, beside, remarks })
 }
+
+/// Why it was taken where somebody said so.
+const NAMED: &str = "it was named";
 
 /// What the method is called where there is none.
 const NOTHING: &str = "none: nothing is integrated";

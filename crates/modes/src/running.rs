@@ -5,7 +5,7 @@ use crate::push::Push;
 use crate::range::check_positive;
 use crate::report::{Energy, Impact, Landing};
 use crate::run::{Pass, Present, Progress, Touching};
-use crate::settings::Settings;
+use crate::settings::{Method, Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::{LimitLaw, Outcome, Step};
@@ -14,6 +14,9 @@ use std::sync::Arc;
 
 /// The most steps of a fixed rule in one call.
 const MOST_STEPS: f64 = 1e7;
+
+/// The step (s) where a method would choose one.
+const STEP: f64 = 1e-3;
 
 /// A simulation on its way, which whoever calls takes further bit by bit, and may change in between.
 ///
@@ -84,6 +87,19 @@ impl Simulation {
         // What cannot be stepped is refused here.
         running.progress.accelerations()?;
         Ok(running)
+    }
+
+    /// The steps to [`start`](Self::start) with, for the method of a whole run: as long as it says, and a millisecond where it would
+    /// choose, by impulses over ground or where links touch each other or are held together, else by Runge and Kutta's rule.
+    pub fn stepping_for(&self, method: Method) -> Stepping {
+        let needs_impulses = || matches!(self.usual_method(), Method::Impulses { .. });
+        match method {
+            Method::Fixed { rule, step } => Stepping::Fixed { rule, step },
+            Method::Impulses { step } => Stepping::Impulses { step },
+            Method::Adaptive { tolerance } => Stepping::Adaptive { tolerance },
+            _ if self.grounded().is_some() || needs_impulses() => Stepping::Impulses { step: STEP },
+            _ => Stepping::Fixed { rule: Rule::RungeKutta4, step: STEP },
+        }
     }
 }
 

@@ -24,13 +24,12 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// With joint forces, an error estimate, and the method that a tolerance of 1e-6 asks for.
+    /// With joint forces, an error estimate, and the usual method.
     pub fn new(duration: f64, rate: f64) -> Self {
-        let method = Method::Automatic { tolerance: 1e-6 };
         Self {
             duration,
             rate,
-            method,
+            method: Method::Usual,
             forces: true,
             estimate: true,
             guard: Guard::default(),
@@ -45,6 +44,11 @@ impl Settings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
+    /// What is meant where nothing is said: impulses in steps of a millisecond where links touch each other or are held together by
+    /// loops, else whichever meets a tolerance of 1e-6. On [`Rigid`](crate::ContactLaw::Rigid) ground forces that keep all that
+    /// stands may not be found, or not in a bounded number of evaluations, as for a heap of light links, or feet that are dragged
+    /// along: then it is impulses, too, and a [`Remark`](crate::Remark) says so.
+    Usual,
     /// Whichever meets the tolerance: what positions (rad or m) may be off by.
     Automatic {
         /// The tolerance.

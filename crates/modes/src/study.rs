@@ -83,12 +83,12 @@ impl Study {
     /// The cheapest setting whose error is at most `wanted` (rad or m): by its time where there is a clock, else by its
     /// evaluations. An error below the uncertainty of the reference counts as that uncertainty.
     ///
-    /// [`Method::Automatic`] is not asked: it tries several settings itself.
+    /// [`Method::Automatic`] and [`Method::Usual`] are not asked: they try several settings themselves.
     pub fn cheapest(&self, wanted: f64) -> Option<&Row> {
         let meets = |row: &&Row| {
             let error = row.result.as_ref().ok().map(|accuracy| accuracy.position);
             let is_met = error.is_some_and(|error| error.max(self.reference.uncertainty.position) <= wanted);
-            is_met && !matches!(row.method, Method::Automatic { .. })
+            is_met && !matches!(row.method, Method::Usual | Method::Automatic { .. })
         };
         let rows = || self.rows.iter().filter(meets);
         if rows().all(|row| row.seconds.is_some()) {

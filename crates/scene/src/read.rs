@@ -200,13 +200,11 @@ impl SceneReader<'_> {
         said.extend(open);
         said.extend(notes);
         let settings = self.settings(&fields, walked);
-        let implied = fields.get("method").is_none();
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
-            implied,
             notes: said,
             walk: walk.map(|walk| walk.into_walked(&reaching, friction)),
         })

@@ -4,13 +4,9 @@ use crate::error::SceneError;
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion, Relief};
-use solaris_modes::{Method, Observer, Remark, Run, RunReport, Settings, Simulation};
+use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};
 use std::fmt;
 use std::sync::Arc;
-
-/// What a run says of a method that was named, and a scene of one that was not.
-const NAMED: &str = "it was named";
-const NEEDED: &str = "links that touch each other, or are held together, need it";
 
 /// A figure, what drives it and for how long.
 #[derive(Clone)]
@@ -18,8 +14,6 @@ pub struct Scene {
     pub(crate) name: String,
     pub(crate) simulation: Simulation,
     pub(crate) settings: Settings,
-    /// Whether nobody named the method, and something in the scene knows no other.
-    pub(crate) implied: bool,
     /// What there is to say of it before it is run.
     pub(crate) notes: Vec<String>,
     pub(crate) walk: Option<Walked>,
@@ -110,9 +104,6 @@ impl Scene {
     /// [`SceneError`].
     pub fn simulate(&self, observer: &mut dyn Observer) -> Result<Simulated, SceneError> {
         let Run { mut motion, mut report } = self.simulation.run_observed(&self.settings, observer)?;
-        if self.implied && matches!(self.settings.method, Method::Impulses { .. }) && report.why == NAMED {
-            NEEDED.clone_into(&mut report.why);
-        }
         report.remarks.extend(self.notes.iter().cloned().map(Remark::Said));
         let Some(walk) = &self.walk else { return Ok(Simulated { motion, report, reactions: None }) };
         let end = motion.time().last().copied().unwrap_or_default();

@@ -10,7 +10,9 @@ use crate::words::{rounded, some};
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
 use solaris::model::{Figure, FindingKind, JointKind};
-use solaris::modes::{ContactLaw, ContactPoint, EndCondition, GroundPlane, LimitLaw, Method, Step};
+use solaris::modes::{
+    ContactLaw, ContactPoint, EndCondition, GroundPlane, LimitLaw, Method, Simulation, Step,
+};
 use solaris::scene::{Scene, is_scene};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -122,7 +124,7 @@ impl Facts {
             gravity_m_s2: (*simulation.gravity()).into(),
             duration_s: settings.duration,
             rate_per_s: settings.rate,
-            method: method(settings.method),
+            method: method(simulation, settings.method),
             walk_dofs: scene.walked(),
             springs: simulation.springs().len(),
             loops: Some(simulation.loops().len()).filter(|count| *count > 0),
@@ -246,8 +248,9 @@ fn law(law: LimitLaw) -> String {
     }
 }
 
-fn method(method: Method) -> String {
+fn method(simulation: &Simulation, method: Method) -> String {
     match method {
+        Method::Usual => self::method(simulation, simulation.usual_method()),
         Method::Fixed { rule, step } => format!("{rule}, step at most {step} s"),
         Method::Impulses { step } => format!("impulses, step at most {step} s"),
         Method::Adaptive { tolerance } => format!("adaptive explicit, tolerance {tolerance:e}"),

@@ -98,11 +98,6 @@ impl Law {
         Self::Hold { weight, target }
     }
 
-    /// Whether friction is bound by its own push.
-    pub(super) fn is_cone(&self) -> bool {
-        matches!(self, Self::Contact { .. })
-    }
-
     /// The same with friction bound by a push.
     pub(super) fn bound_by(self, push: f64) -> Self {
         match self {
@@ -113,11 +108,21 @@ impl Law {
         }
     }
 
-    /// The same with friction bound by what pushes by now, and by how much what it does would change with that.
-    pub(super) fn bound(&self, pushed: &Pushed) -> (Self, f64) {
+    /// The same with friction bound by a push, or where it is bound already, gone this share of the way there.
+    pub(super) fn nearer_to(self, push: f64, share: f64) -> Self {
+        match self {
+            Self::Bound { weight, target, friction, most } => {
+                Self::Bound { weight, target, friction, most: most + share * (friction * push - most) }
+            }
+            _ => self.bound_by(push),
+        }
+    }
+
+    /// By how much what it does would change if friction were bound by what pushes now.
+    pub(super) fn off_bound(&self, pushed: &Pushed) -> f64 {
         let [x, y, push] = pushed.impulse;
         let drag = (x * x + y * y).sqrt();
-        let change = match *self {
+        match *self {
             // What sticks within the cone sticks within the bound.
             Self::Contact { friction, .. } if drag > 0.0 && drag >= friction * push * (1.0 - 1e-9) => {
                 f64::INFINITY
@@ -126,8 +131,7 @@ impl Law {
                 (friction * push - most).abs()
             }
             _ => 0.0,
-        };
-        (self.bound_by(push), change)
+        }
     }
 
     /// What it does at a velocity: the projection of `y = R⁻¹(û − u)` onto what can push, in the norm of `R`.

@@ -42,6 +42,8 @@ pub(crate) struct Passed {
     pub(crate) pushed: f64,
     /// What a method that chooses its steps said of their errors, added up.
     pub(crate) errors: f64,
+    /// Whether it was by impulses.
+    pub(crate) by_impulses: bool,
 }
 
 /// One pass, on its way.
@@ -188,6 +190,7 @@ impl Pass {
                 ground: [0.0; GROUND],
                 pushed: 0.0,
                 errors: 0.0,
+                by_impulses,
             },
             work: 0.0,
             heat: 0.0,

@@ -35,6 +35,7 @@ pub(super) fn fitted(methods: &[Method], rate: f64) -> Vec<Method> {
 /// What a method is called.
 pub fn method_name(method: Method) -> String {
     match method {
+        Method::Usual => "usual".to_owned(),
         Method::Automatic { .. } => "automatic".to_owned(),
         Method::Fixed { rule, .. } => rule.to_string(),
         Method::Impulses { .. } => "impulses".to_owned(),
@@ -50,6 +51,7 @@ pub fn setting(method: Method) -> String {
         Method::Automatic { tolerance } | Method::Adaptive { tolerance } | Method::Stiff { tolerance } => {
             short(tolerance)
         }
+        Method::Usual => "its own".to_owned(),
     }
 }
 
@@ -86,6 +88,7 @@ mod tests {
     fn each_method_goes_from_coarse_to_fine() {
         let size = |method: &Method| match *method {
             Method::Fixed { step, .. } | Method::Impulses { step } => step,
+            Method::Usual => 1.0,
             Method::Automatic { tolerance }
             | Method::Adaptive { tolerance }
             | Method::Stiff { tolerance } => tolerance,

@@ -8,6 +8,7 @@ mod planted;
 mod restitution;
 mod setup;
 mod stiffness;
+mod usual;
 
 use nalgebra::Unit;
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, Vector3};

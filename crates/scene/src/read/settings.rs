@@ -2,12 +2,10 @@
 
 use super::SceneReader;
 use solaris_model::text::{Fields, Node};
-use solaris_modes::{Guard, Method, Rule, Settings, Simulation};
+use solaris_modes::{Guard, Method, Rule, Settings};
 
 /// Frames a second where the scene says nothing.
 const RATE: f64 = 120.0;
-/// Of steps by impulses (s), where links touch each other or are held together and the scene says nothing.
-const STEP: f64 = 1e-3;
 const METHODS: [&str; 8] = [
     "Automatic",
     "Impulses",
@@ -45,11 +43,8 @@ impl SceneReader<'_> {
         let tolerance = fields.get("tolerance");
         let tolerance = tolerance.map(|node| (node, self.reader.positive(node, "the tolerance", "rad or m")));
         let Some(node) = fields.get("method") else {
-            if tolerance.is_none() && self.needs_impulses() {
-                return Some(Method::Impulses { step: STEP });
-            }
-            let tolerance = tolerance.map_or(Some(1e-6), |(_, tolerance)| tolerance)?;
-            return Some(Method::Automatic { tolerance });
+            let Some((_, tolerance)) = tolerance else { return Some(Method::Usual) };
+            return Some(Method::Automatic { tolerance: tolerance? });
         };
         if let Some((node, _)) = tolerance {
             let message = "the tolerance decides the method; remove tolerance or method";
@@ -85,20 +80,13 @@ impl SceneReader<'_> {
     /// Links that touch each other need steps by impulses.
     fn check_method(&mut self, fields: &Fields<'_, '_>, method: Option<Method>) {
         let touch = self.simulation.as_ref().is_some_and(|simulation| simulation.collisions().is_some());
-        if !touch || matches!(method, None | Some(Method::Impulses { .. })) {
+        if !touch || matches!(method, None | Some(Method::Usual | Method::Impulses { .. })) {
             return;
         }
         if let Some(node) = fields.get("method").or(fields.get("tolerance")) {
             let message = "links that touch each other need steps by impulses; write method: Impulses(step: 1e-3), or leave this out";
             self.reader.fault(node.place(), message);
         }
-    }
-
-    /// Whether steps are by impulses where nothing else is said.
-    fn needs_impulses(&self) -> bool {
-        let needs =
-            |simulation: &Simulation| simulation.collisions().is_some() || !simulation.loops().is_empty();
-        self.simulation.as_ref().is_some_and(needs)
     }
 
     /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 1e7)`

@@ -266,7 +266,7 @@ fn a_jumper_flies_as_its_take_off_says() {
 /// Feet that curves drag over rigid ground: what holds them lets go and takes hold without end.
 #[test]
 fn rigid_ground_that_takes_too_much_names_impulses() {
-    let text = r#"Scene(version: 1, duration: 1.0, guard: Guard(evaluations: 3e3), figures: {"a": Human(height: 1.75, mass: 73.0)},
+    let text = r#"Scene(version: 1, duration: 1.0, tolerance: 1e-6, guard: Guard(evaluations: 3e3), figures: {"a": Human(height: 1.75, mass: 73.0)},
         ground: Flat(friction: 0.8, contact: Rigid, stand: true),
         drives: {"*": Frozen, "root.*": Free, "left_hip.rx": Move(to: deg(-20), over: 1.0), "right_hip.rz": Move(to: deg(-15), over: 1.0)})"#;
     let scene = read(text, &mut NoFiles).expect("a scene");

@@ -21,7 +21,8 @@ pub fn report(study: &Study, title: &str, duration: f64, rate: f64) -> Report {
 pub fn diagram(study: &Study, title: &str, duration: f64, rate: f64) -> Diagram {
     let pace = seconds_an_evaluation(study);
     let mut series: Vec<Series> = Vec::new();
-    for row in study.rows.iter().filter(|row| !matches!(row.method, Method::Automatic { .. })) {
+    for row in study.rows.iter().filter(|row| !matches!(row.method, Method::Usual | Method::Automatic { .. }))
+    {
         let name = method_name(row.method);
         let evaluations = row.evaluations(duration).map(|count| count as f64);
         let point = Point {

@@ -9,8 +9,7 @@ use solaris::files::{Given, Source};
 use solaris::model::text::{Content, Node, parse};
 use solaris::model::{Ground, TextError};
 use solaris::modes::study::{StudyOptions, study};
-use solaris::modes::time::Stepping;
-use solaris::modes::{EndCondition, Method, Observer, Rule, RunPass, Step};
+use solaris::modes::{EndCondition, Method, Observer, RunPass, Simulation, Step};
 use solaris::scene::{Scene, complete};
 use solaris::view::precision::{page, report};
 use std::path::Path;
@@ -18,8 +17,6 @@ use wasm_bindgen::prelude::*;
 
 const NOUN: &str = "scene";
 const BEGINS: &str = "Scene(version: 1, …)";
-/// Of a simulation that goes on while it is looked at (s).
-const LIVE_STEP: f64 = 1e-3;
 
 /// Files that scenes and models may name.
 #[wasm_bindgen]
@@ -110,7 +107,7 @@ impl Script {
             "figure": scene.figure().name(),
             "duration": settings.duration,
             "rate": settings.rate,
-            "method": method(&settings.method),
+            "method": method(scene.simulation(), &settings.method),
             "ground": simulation.grounded().is_some(),
             "walk": scene.walk().is_some(),
             "walked": scene.walked(),
@@ -167,17 +164,11 @@ impl Script {
         Ok(pages(&found.map_err(failed)?))
     }
 
-    /// Its simulation, to go on while it is looked at: by the scene's own method where that has fixed steps, by impulses of a millisecond
-    /// where it has a ground or links that touch, else by Runge and Kutta.
+    /// Its simulation, to go on while it is looked at.
     pub fn alive(&self) -> Result<Alive, JsError> {
         let scene = self.scene()?;
         let simulation = scene.simulation();
-        let stepping = match scene.settings().method {
-            Method::Fixed { rule, step } => Stepping::Fixed { rule, step },
-            Method::Impulses { step } => Stepping::Impulses { step },
-            _ if simulation.grounded().is_some() => Stepping::Impulses { step: LIVE_STEP },
-            _ => Stepping::Fixed { rule: Rule::RungeKutta4, step: LIVE_STEP },
-        };
+        let stepping = simulation.stepping_for(scene.settings().method);
         Alive::new(self.figure()?, simulation.start(stepping).map_err(failed)?, self.ground()?)
     }
 
@@ -274,8 +265,9 @@ fn step(step: &Step) -> Value {
     json!({ "drive": step.drive.name(), "until": until })
 }
 
-fn method(method: &Method) -> String {
+fn method(simulation: &Simulation, method: &Method) -> String {
     match method {
+        Method::Usual => self::method(simulation, &simulation.usual_method()),
         Method::Automatic { tolerance } => format!("automatic, to {tolerance:e}"),
         Method::Fixed { rule, step } => format!("{rule:?}, steps of {step:e} s"),
         Method::Impulses { step } => format!("impulses, steps of {step:e} s"),

@@ -196,14 +196,17 @@ fn limbs_of_limp_people_do_not_pass_through_each_other() {
 fn what_cannot_be_asked_is_refused() {
     let figure = over_a_slab(&[(ShapeKind::Sphere { radius: 0.1 }, 2.0)]);
     let simulation = colliding(&figure, Vector3::zeros(), 0.5, &[Vector3::y()]);
-    let method = Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 };
-    for settings in [Settings { method, ..Settings::new(1.0, 10.0) }, Settings::new(1.0, 10.0)] {
+    let fixed = Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 };
+    for method in [fixed, Method::Automatic { tolerance: 1e-6 }] {
+        let settings = Settings { method, ..Settings::new(1.0, 10.0) };
         let error = simulation.run(&settings).expect_err("impulses only");
         assert_eq!(
             error.to_string(),
             "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
         );
     }
+    let usual = simulation.run(&Settings::new(1.0, 10.0)).expect("nobody has named another").report;
+    assert_eq!(usual.why, "links that touch each other, or are held together, need it");
     let mut simulation = simulation;
     let mut refused = |pairs: Vec<[usize; 2]>, friction| {
         simulation.set_collisions(Collisions { pairs, friction }).expect_err("refused").to_string()
