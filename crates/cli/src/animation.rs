@@ -3,6 +3,7 @@
 use crate::args::{AskedRig, RigArgs};
 use crate::error::{CliError, UsageError};
 use crate::input::{self, extension};
+use rayon::prelude::*;
 use solaris::io::bvh::{self, Unit};
 use solaris::io::glb::{Actor, Clip, Detail, Options, write};
 use solaris::io::rig::{Rig, RigMap, Rigged};
@@ -99,12 +100,28 @@ pub(crate) struct Person {
 }
 
 /// All of them in one file, and one clip that moves them.
-pub(crate) fn crowd(people: &[Person], mut writer: &mut dyn Write) -> Result<(), CliError> {
-    let actors: Vec<Actor> =
-        people.iter().map(|Person { name, figure, .. }| Actor { name, figure, skin: None }).collect();
-    let motions = people.iter().map(|person| &person.motion).enumerate().collect();
-    let options = Options { skin: Some(Detail::Rough), ..Options::default() };
-    write(&actors, &[Clip { name: "crowd", motions }], options, &mut writer).map_err(CliError::other)
+pub(crate) fn crowd(people: &[Person], bones: &Bones, mut writer: &mut dyn Write) -> Result<(), CliError> {
+    let options = Options { skin: Some(Detail::Rough), forces: bones.arrows, ..Options::default() };
+    let mut write = |actors: &[Actor<'_>], motions: Vec<(usize, &Motion)>| {
+        write(actors, &[Clip { name: "crowd", motions }], options, &mut writer).map_err(CliError::other)
+    };
+    let Some(rig) = &bones.rig else {
+        let actors: Vec<Actor> =
+            people.iter().map(|Person { name, figure, .. }| Actor { name, figure, skin: None }).collect();
+        return write(&actors, people.iter().map(|person| &person.motion).enumerate().collect());
+    };
+    let rigged = people.par_iter().map(|Person { figure, motion, .. }| {
+        let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+        let motion = on.motion(figure, motion).map_err(CliError::other)?;
+        let skin = on.skin(figure, Detail::Rough);
+        Ok((on.figure, motion, skin))
+    });
+    let rigged: Vec<_> = rigged.collect::<Result<_, CliError>>()?;
+    let actors = people.iter().zip(&rigged);
+    let actors =
+        actors.map(|(Person { name, .. }, (figure, _, skin))| Actor { name, figure, skin: Some(skin) });
+    let actors: Vec<Actor> = actors.collect();
+    write(&actors, rigged.iter().map(|(_, motion, _)| motion).enumerate().collect())
 }
 
 /// The bones that are asked for.
@@ -122,12 +139,20 @@ pub(crate) fn asked(args: &RigArgs) -> Result<Bones, CliError> {
 
 /// Refuses bones and arrows that no file has.
 pub(crate) fn check<'a>(args: &RigArgs, paths: impl IntoIterator<Item = &'a Path>) -> Result<(), UsageError> {
-    let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb" | "usda");
-    let paths: Vec<&Path> = paths.into_iter().collect();
-    if args.rig.is_some() && !paths.iter().any(|path| has_bones(path)) {
+    let extensions: Vec<String> = paths.into_iter().map(extension).collect();
+    check_bones(args, extensions.iter().map(String::as_str))
+}
+
+/// The same by the files' extensions.
+pub(crate) fn check_bones<'a>(
+    args: &RigArgs,
+    extensions: impl IntoIterator<Item = &'a str> + Clone,
+) -> Result<(), UsageError> {
+    let any = |known: &[&str]| extensions.clone().into_iter().any(|extension| known.contains(&extension));
+    if args.rig.is_some() && !any(&["bvh", "glb", "usda"]) {
         return Err(UsageError::NoBones);
     }
-    if args.arrows && !paths.iter().any(|path| extension(path) == "glb") {
+    if args.arrows && !any(&["glb"]) {
         return Err(UsageError::NoArrows);
     }
     Ok(())

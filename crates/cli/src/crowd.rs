@@ -3,7 +3,7 @@
 mod person;
 mod table;
 
-use crate::animation;
+use crate::animation::{self, Bones};
 use crate::args::{CrowdArgs, MOST_IN_ONE};
 use crate::error::{CliError, UsageError};
 use crate::input::extension;
@@ -48,8 +48,12 @@ pub(crate) fn run(args: &CrowdArgs) -> Result<(), CliError> {
         Some(path) => read(path)?,
         None => People::drawn(args.count.unwrap_or_default()),
     };
+    let is_one = extension(&args.output) == "glb" && !args.output.is_dir();
+    let format = if is_one { "glb" } else { args.format.unwrap_or_default().extension() };
+    animation::check_bones(&args.bones, [format])?;
+    let bones = animation::asked(&args.bones)?;
     let pool = pool(args.threads.map_or(0, usize::from))?;
-    let crowd = Crowd::new(&people, args);
+    let crowd = Crowd::new(&people, args, &bones);
     let mut summary = Summary {
         people: people.rows.len(),
         walked: 0,
@@ -60,9 +64,8 @@ pub(crate) fn run(args: &CrowdArgs) -> Result<(), CliError> {
         folder: args.output.display().to_string(),
         refusals: Vec::new(),
     };
-    let is_one = extension(&args.output) == "glb" && !args.output.is_dir();
     if is_one {
-        together(args, &crowd, &pool, &mut summary)?;
+        together(args, &crowd, &bones, &pool, &mut summary)?;
     } else {
         apart(args, &crowd, &pool, &mut summary)?;
     }
@@ -116,6 +119,7 @@ fn apart(args: &CrowdArgs, crowd: &Crowd, pool: &ThreadPool, summary: &mut Summa
 fn together(
     args: &CrowdArgs,
     crowd: &Crowd,
+    bones: &Bones,
     pool: &ThreadPool,
     summary: &mut Summary,
 ) -> Result<(), CliError> {
@@ -144,7 +148,7 @@ fn together(
             Err(why) => summary.refuse(&why),
         }
     }
-    pool.install(|| file.write(|(), writer| animation::crowd(&people, writer)))
+    pool.install(|| file.write(|(), writer| animation::crowd(&people, bones, writer)))
 }
 
 impl Summary {

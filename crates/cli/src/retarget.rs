@@ -8,7 +8,8 @@ use crate::input;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use solaris::files::bytes;
-use solaris::io::glb::Character;
+use solaris::io::clip::ReadOptions;
+use solaris::io::glb::{Character, animations};
 use solaris::model::{Figure, Finding, Motion};
 use solaris::retarget::{BoneMap, Moved, Roles, Skeleton, Take, retarget};
 use std::io::Write;
@@ -19,46 +20,86 @@ const WRITTEN: Formats<()> = &[("glb", ())];
 pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("-o", &args.output, WRITTEN)])?;
     outputs.keep_off([args.motion.as_path(), args.onto.as_path()])?;
-    let (figure, motion, findings) = motion(args)?;
     let bytes = bytes(&args.onto)?;
     let character =
         Character::read(&bytes, &stem(&args.onto)).map_err(|error| CliError::input(&args.onto, &error))?;
-    let from = Skeleton { name: stem(&args.motion), ..Skeleton::of(&figure) };
-    let of_clip = Roles::find(&from, &map(args.clip_map.as_deref())?)
-        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--clip-map)")))?;
     let onto = character.skeleton();
     let roles = Roles::find(onto, &map(args.map.as_deref())?)
         .map_err(|error| CliError::input(&args.onto, &format!("{error} (--map)")))?;
-    let take = Take::of(&from, &of_clip, &figure, &motion, args.rest_frame)
-        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--rest-frame)")))?;
-    // The rest pose may be one of those that are left out.
-    let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
-    let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
-    // As asked, until it is written: there may be one of that name. Of a file with several clips that of the one that was chosen.
-    let own = || args.skeleton.clip.clone().unwrap_or_else(|| stem(&args.motion));
-    let mut name = args.name.clone().unwrap_or_else(own);
+    let mut clips = Vec::new();
+    for clip in asked(args)? {
+        let Given { figure, motion, findings } = given(args, clip.as_deref())?;
+        let from = Skeleton { name: stem(&args.motion), ..Skeleton::of(&figure) };
+        let of_clip = Roles::find(&from, &map(args.clip_map.as_deref())?)
+            .map_err(|error| CliError::input(&args.motion, &format!("{error} (--clip-map)")))?;
+        let take = Take::of(&from, &of_clip, &figure, &motion, args.rest_frame)
+            .map_err(|error| CliError::input(&args.motion, &format!("{error} (--rest-frame)")))?;
+        // The rest pose may be one of those that are left out.
+        let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
+        let take = if args.mirror { take.mirrored() } else { take };
+        let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
+        // As asked, until it is written: there may be one of that name. Of a file with several clips that of the one that was chosen.
+        let name = args.name.clone().or(clip).unwrap_or_else(|| stem(&args.motion));
+        clips.push(Done { name, moved, of_clip, findings });
+    }
     outputs.write(|(), mut writer| {
-        name = character.with_clip(&name, &moved, &mut writer).map_err(CliError::other)?;
+        let added = clips.iter().map(|done| (done.name.as_str(), &done.moved));
+        let names = character.with_clips(added, &mut writer).map_err(CliError::other)?;
+        clips.iter_mut().zip(names).for_each(|(done, name)| done.name = name);
         Ok(())
     })?;
     print(|out| {
-        told(out, &name, onto, [&of_clip, &roles], &moved)?;
-        list(out, &findings)?;
+        for done in &clips {
+            told(out, done, onto)?;
+        }
+        writeln!(out, "legs {:.3} times those of the clip", clips[0].moved.replanted.scale)?;
+        for (whose, roles) in [("clip", &clips[0].of_clip), ("character", &roles)] {
+            missing(out, whose, roles)?;
+        }
+        list(out, &clips[0].findings)?;
         outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
 }
 
-/// The figure and the motion of the clip, and what there is to say of them.
-fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliError> {
+/// A clip on the character.
+struct Done {
+    name: String,
+    moved: Moved,
+    of_clip: Roles,
+    findings: Vec<Finding>,
+}
+
+/// What a clip's file holds.
+struct Given {
+    figure: Figure,
+    motion: Motion,
+    findings: Vec<Finding>,
+}
+
+/// The animations that are asked for, one at least; of a file that has no names for them none is named.
+fn asked(args: &RetargetArgs) -> Result<Vec<Option<String>>, CliError> {
+    if !args.all {
+        return Ok(vec![args.skeleton.clip.clone()]);
+    }
+    if !matches!(&*input::extension(&args.motion), "glb" | "gltf") {
+        return Err(UsageError::OneAnimation { clip: args.motion.clone() }.into());
+    }
+    let names = animations(&bytes(&args.motion)?).map_err(|error| CliError::input(&args.motion, &error))?;
+    let names: Vec<Option<String>> = names.into_iter().map(Some).collect();
+    Ok(if names.is_empty() { vec![None] } else { names })
+}
+
+/// The figure and the motion of the clip of that name, and what there is to say of them.
+fn given(args: &RetargetArgs, name: Option<&str>) -> Result<Given, CliError> {
     if input::is_clip(&args.motion) {
-        let mut options = convert::options(&args.skeleton)?;
+        let mut options = ReadOptions { clip: name.map(str::to_owned), ..convert::options(&args.skeleton)? };
         if args.rest_frame.is_some() {
             options.skip = 0;
         }
         let clip = input::clip(&args.motion, &options)?;
         // What bones weigh moves nothing here.
         let findings = clip.findings.into_iter().filter(|finding| finding.subject != "masses").collect();
-        return Ok((clip.figure, clip.motion, findings));
+        return Ok(Given { figure: clip.figure, motion: clip.motion, findings });
     }
     if args.skeleton.is_asked() {
         return Err(UsageError::OnlyOfBones.into());
@@ -68,7 +109,7 @@ fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliErro
     };
     let body = input::body(path)?;
     let motion = convert::motion_of(&args.motion, &body)?;
-    Ok((body.figure, motion, Vec::new()))
+    Ok(Given { figure: body.figure, motion, findings: Vec::new() })
 }
 
 fn map(path: Option<&Path>) -> Result<BoneMap, CliError> {
@@ -77,13 +118,7 @@ fn map(path: Option<&Path>) -> Result<BoneMap, CliError> {
     BoneMap::read(&text).map_err(|faults| input::faulty(path, &text, faults))
 }
 
-fn told(
-    out: &mut dyn Write,
-    name: &str,
-    onto: &Skeleton,
-    [from, roles]: [&Roles; 2],
-    moved: &Moved,
-) -> std::io::Result<()> {
+fn told(out: &mut dyn Write, Done { name, moved, .. }: &Done, onto: &Skeleton) -> std::io::Result<()> {
     let done = &moved.replanted;
     let lasts = moved.time[moved.time.len() - 1] - moved.time[0];
     writeln!(
@@ -93,7 +128,6 @@ fn told(
         moved.time.len(),
         moved.turns.len()
     )?;
-    writeln!(out, "legs {:.3} times those of the clip", done.scale)?;
     let slides = format!(
         "what stands slides by {:.1} mm at the most ({:.1} mm in the clip)",
         done.slide * 1000.0,
@@ -115,15 +149,14 @@ fn told(
             )?;
         }
     }
-    for (whose, roles) in [("clip", from), ("character", roles)] {
-        let missing = roles.missing();
-        if !missing.is_empty() {
-            writeln!(
-                out,
-                "the {whose} has no bone for {}: what it would turn stays as it is",
-                missing.join(", ")
-            )?;
-        }
-    }
     Ok(())
+}
+
+/// What has no bone.
+fn missing(out: &mut dyn Write, whose: &str, roles: &Roles) -> std::io::Result<()> {
+    let missing = roles.missing();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "the {whose} has no bone for {}: what it would turn stays as it is", missing.join(", "))
 }

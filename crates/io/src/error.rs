@@ -90,7 +90,7 @@ pub enum IoError {
     },
     /// A figure that no animator's rig is of.
     #[error(
-        "the rig '{rig}' has no bone for link '{link}'; rigs are of people with the links of a human figure, and for other figures --rig is left out"
+        "the rig '{rig}' has no bone for link '{link}'; rigs are of people with the links of a human figure: the motion of other bones goes onto a character that has the rig (solaris retarget), and for other figures --rig is left out"
     )]
     NotOfRigs {
         /// The rig.

@@ -40,7 +40,7 @@ use crate::error::{ClipProblem, IoError};
 pub use character::Character;
 pub use fault::GlbError;
 use pack::Pack;
-pub use read::read;
+pub use read::{animations, read};
 use serde_json::{Value, json};
 use skeleton::Skeleton;
 pub(crate) use skeleton::local;

@@ -6,6 +6,7 @@ mod feet;
 mod heading;
 mod legs;
 mod map;
+mod mirror;
 mod planted;
 mod replant;
 mod roles;

@@ -26,6 +26,7 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 import solaris
+from solaris._parts import by_ray, write
 
 __all__ = ["make", "part", "people", "walks"]
 
@@ -132,19 +133,13 @@ def _measured(walk: solaris.Walk) -> dict[str, float]:
 def part(number: int, plan: Mapping[str, Any]) -> Path:
     """Makes one part of a dataset, if it is not there, and gives its path: it is there whole or not at all."""
     import pyarrow
-    import pyarrow.parquet
 
     path = Path(plan["out"]) / f"part-{number:05}.parquet"
     if path.exists():
         return path
     start = number * plan["part"]
     count = min(plan["part"], plan["people"] - start)
-    table = pyarrow.table(walks(people(start, count, plan["seed"]), plan["steps"], plan["frames"]))
-    beside = path.with_name(f".{path.name}-{os.getpid()}")
-    pyarrow.parquet.write_table(table, beside, compression="zstd")
-    with open(beside, "rb") as written:
-        os.fsync(written.fileno())
-    beside.replace(path)
+    write(pyarrow.table(walks(people(start, count, plan["seed"]), plan["steps"], plan["frames"])), path)
     return path
 
 
@@ -176,7 +171,7 @@ def make(
     plan["out"] = str(folder.resolve())
     numbers = range(-(-people // part_size))
     if ray:
-        return _by_ray(numbers, plan, workers)
+        return by_ray(lambda number: part(number, plan), len(numbers), workers)
     done = []
     for number in numbers:
         done.append(part(number, plan))
@@ -185,17 +180,6 @@ def make(
     if progress:
         print(file=sys.stderr)
     return done
-
-
-def _by_ray(numbers: Sequence[int], plan: Mapping[str, Any], workers: Optional[int]) -> list[Path]:
-    import ray.data
-
-    def makes(batch: dict[str, np.ndarray]) -> dict[str, list[str]]:
-        return {"path": [str(part(int(number), plan)) for number in batch["id"]]}
-
-    parts = ray.data.range(len(numbers), override_num_blocks=len(numbers))
-    done = parts.map_batches(makes, batch_size=1, concurrency=workers).take_all()
-    return sorted(Path(row["path"]) for row in done)
 
 
 def _main(arguments: Optional[Sequence[str]] = None) -> int:

@@ -1,7 +1,7 @@
 //! The request of `solaris crowd`.
 
 use super::value::within;
-use super::{RATE, columns, walk_options, wrap};
+use super::{RATE, RigArgs, columns, walk_options, wrap};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -14,7 +14,9 @@ const EXAMPLES: &str = "Examples:
   solaris crowd --count 100 --seed 7 -o crowd --format csv
       a hundred people by chance, none like another, as tables
   solaris crowd --count 100 --rate 30 -o crowd.glb
-      the same with their bodies, in one file";
+      the same with their bodies, in one file
+  solaris crowd --count 100 --rig unreal --format glb -o crowd
+      a file for each, on the bones of a rig";
 
 /// The columns that are no option of a walk.
 pub(crate) const PLACES: [&str; 4] = ["name", "x", "z", "heading"];
@@ -62,6 +64,8 @@ pub(crate) struct CrowdArgs {
     pub(crate) threads: Option<u16>,
     #[arg(long, help = "Print the summary as JSON instead of a table")]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
 }
 
 /// The most people of one file: all of their motions are kept until it is written.

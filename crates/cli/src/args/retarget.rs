@@ -11,6 +11,8 @@ const EXAMPLES: &str = "Examples:
       motion capture
   solaris retarget other.glb --clip run --onto hero.glb -o out.glb
       an animation of another character
+  solaris retarget clips.glb --all --onto hero.glb -o out.glb
+      all of its animations
   solaris retarget capture.bvh --onto robot.glb --map robot-bones.ron -o out.glb
       a character whose bones have names of their own: Bones(pelvis: \"Root_M\", left_thigh: \"Hip_L\", …)";
 
@@ -40,6 +42,12 @@ pub(crate) struct RetargetArgs {
         help = "What the animation is called [default: --clip, or the clip's file name]"
     )]
     pub(crate) name: Option<String>,
+    #[arg(long, conflicts_with_all = ["name", "clip"], help = wrap(
+        "Every animation of a .glb file, each by its own name, instead of --clip"
+    ))]
+    pub(crate) all: bool,
+    #[arg(long, help = "Left and right exchanged: who turned left turns right")]
+    pub(crate) mirror: bool,
     #[arg(long, value_name = "FILE", help = wrap(
         "Which bones of the character are which: Bones(pelvis: \"NAME\", left_thigh: \"NAME\", …), by the names of a human's links [default: \
          by their names]"

@@ -21,6 +21,7 @@ const FARTHEST: f64 = 1e4;
 pub(super) struct Crowd<'a> {
     people: &'a People,
     args: &'a CrowdArgs,
+    bones: &'a Bones,
     options: Command,
 }
 
@@ -64,8 +65,8 @@ impl Walked {
 }
 
 impl<'a> Crowd<'a> {
-    pub(super) fn new(people: &'a People, args: &'a CrowdArgs) -> Self {
-        Self { people, args, options: walk_options() }
+    pub(super) fn new(people: &'a People, args: &'a CrowdArgs, bones: &'a Bones) -> Self {
+        Self { people, args, bones, options: walk_options() }
     }
 
     pub(super) fn name(&self, number: usize) -> String {
@@ -167,7 +168,7 @@ impl<'a> Crowd<'a> {
                 CliError::option("heading", place, error.to_string())
             })?;
             let mut motion = plan.motion(&figure, self.args.rate).map_err(CliError::other)?;
-            if self.format() == CrowdFormat::Csv {
+            if self.format() == CrowdFormat::Csv || self.bones.arrows {
                 ground_reactions(&figure, &mut motion, FEET, &plan).map_err(CliError::other)?;
             }
             let style = plan.style();
@@ -195,12 +196,9 @@ impl<'a> Crowd<'a> {
                 solaris::io::csv::write(figure, motion, &mut bytes).map_err(CliError::other)?;
             }
             CrowdFormat::Glb => {
-                animation::body(BodyFormat::Glb, figure, motion, "walk", &Bones::default(), &mut bytes)?;
+                animation::body(BodyFormat::Glb, figure, motion, "walk", self.bones, &mut bytes)?;
             }
-            CrowdFormat::Bvh => {
-                let unit = solaris::io::bvh::Unit::default();
-                solaris::io::bvh::write(figure, motion, unit, &mut bytes).map_err(CliError::other)?;
-            }
+            CrowdFormat::Bvh => animation::bones(figure, motion, self.bones, &mut bytes)?,
         }
         Ok(bytes)
     }

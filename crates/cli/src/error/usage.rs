@@ -7,6 +7,8 @@ use std::path::PathBuf;
 pub(crate) enum UsageError {
     #[error("CLIP {path} is a table, or nothing that is known; say whose motion it is: --figure FILE", path = .clip.display())]
     WhoseTable { clip: PathBuf },
+    #[error("--all: {path} holds one motion; leave it out", path = .clip.display())]
+    OneAnimation { clip: PathBuf },
     #[error(
         "--step-frequency {step_frequency}, --step-length {step_length} and --speed {speed}: any two decide the third; drop one"
     )]

@@ -1,4 +1,4 @@
-//! A file with one more animation: nothing that was there is written anew.
+//! A file with more animations: nothing that was there is written anew.
 
 use super::container::{Parts, join, split};
 use super::fault::GlbError;
@@ -12,16 +12,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::ops::Range;
 
-/// Writes a file, which was read before, with an animation of these nodes at these times (s): turns (x, y, z, w), of one key where they
-/// stand still, and the places of one. Gives the name that it has.
-pub(super) fn append(
-    bytes: &[u8],
-    name: &str,
-    times: &[f64],
-    turns: &[(usize, Vec<[f32; 4]>)],
-    (root, way): (usize, &[[f32; 3]]),
-    out: &mut impl Write,
-) -> Result<String, IoError> {
+/// An animation of nodes: turns (x, y, z, w), of one key where they stand still, and the places of one.
+pub(super) struct Added {
+    pub(super) name: String,
+    /// Of the keys (s).
+    pub(super) times: Vec<f64>,
+    pub(super) turns: Vec<(usize, Vec<[f32; 4]>)>,
+    pub(super) root: usize,
+    pub(super) way: Vec<[f32; 3]>,
+}
+
+/// Writes a file, which was read before, with more animations. Gives the names that they have.
+pub(super) fn append(bytes: &[u8], added: Vec<Added>, out: &mut impl Write) -> Result<Vec<String>, IoError> {
     let Parts { json, binary } = split(bytes)?;
     let text = std::str::from_utf8(json).map_err(|_| GlbError::NoJson)?;
     let edit = Edit::of(text)?;
@@ -34,23 +36,30 @@ pub(super) fn append(
     if let (Some(binary), false) = (binary, is_inside) {
         pack.bytes.extend_from_slice(binary);
     }
-    let mut animation = super::Animation::default();
-    let all = pack.times(times);
-    let one = pack.times(&times[..times.len().min(1)]);
-    for (node, turns) in turns {
-        let still =
-            turns.iter().all(|turn| turn.iter().zip(&turns[0]).all(|(a, b)| a.to_bits() == b.to_bits()));
-        let output = pack.floats(&turns[..if still { 1 } else { turns.len() }], None, false);
-        animation.channel(*node, "rotation", if still { one } else { all }, output);
+    let mut taken = edit.taken_names()?;
+    let (mut names, mut animations) = (Vec::new(), Vec::new());
+    for Added { name, times, turns, root, way } in added {
+        let mut animation = super::Animation::default();
+        let all = pack.times(&times);
+        let one = pack.times(&times[..times.len().min(1)]);
+        for (node, turns) in &turns {
+            let still =
+                turns.iter().all(|turn| turn.iter().zip(&turns[0]).all(|(a, b)| a.to_bits() == b.to_bits()));
+            let output = pack.floats(&turns[..if still { 1 } else { turns.len() }], None, false);
+            animation.channel(*node, "rotation", if still { one } else { all }, output);
+        }
+        let output = pack.floats(&way, None, false);
+        animation.channel(root, "translation", all, output);
+        let name = free_name(&name, &taken);
+        animations
+            .push(json!({ "name": name, "channels": animation.channels, "samplers": animation.samplers }));
+        taken.insert(name.clone());
+        names.push(name);
     }
-    let output = pack.floats(way, None, false);
-    animation.channel(root, "translation", all, output);
-    let name = edit.free_name(name)?;
-    let added = json!({ "name": name, "channels": animation.channels, "samplers": animation.samplers });
     let mut changes = vec![
         edit.grown("bufferViews", &pack.views)?,
         edit.grown("accessors", &pack.accessors)?,
-        edit.grown("animations", &[added])?,
+        edit.grown("animations", &animations)?,
     ];
     let length = pack.bytes.len();
     pack.bytes.resize(length.next_multiple_of(4), 0);
@@ -64,7 +73,14 @@ pub(super) fn append(
     });
     let binary = if is_inside { &[][..] } else { &pack.bytes };
     join(edit.with(changes).into_bytes(), binary, out)?;
-    Ok(name)
+    Ok(names)
+}
+
+/// A name that no animation has.
+fn free_name(name: &str, taken: &BTreeSet<String>) -> String {
+    let others = (2..).map(|number| format!("{name} {number}"));
+    let mut free = std::iter::once(name.to_owned()).chain(others).filter(|name| !taken.contains(name));
+    free.next().unwrap_or_default()
 }
 
 /// A JSON text that is changed in places.
@@ -119,16 +135,14 @@ impl<'a> Edit<'a> {
         Ok(Change { at: self.place(old), new: length.to_string(), is_member: false })
     }
 
-    /// A name that no animation has.
-    fn free_name(&self, name: &str) -> Result<String, IoError> {
+    /// The names of its animations.
+    fn taken_names(&self) -> Result<BTreeSet<String>, IoError> {
         let mut taken = BTreeSet::new();
         for animation in self.list("animations")? {
             let animation: Value = serde_json::from_str(animation.get()).map_err(|error| fault(&error))?;
             taken.extend(animation.get("name").and_then(Value::as_str).map(str::to_owned));
         }
-        let others = (2..).map(|number| format!("{name} {number}"));
-        let mut free = std::iter::once(name.to_owned()).chain(others).filter(|name| !taken.contains(name));
-        Ok(free.next().unwrap_or_default())
+        Ok(taken)
     }
 
     fn with(&self, mut changes: Vec<Change>) -> String {

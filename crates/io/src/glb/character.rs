@@ -1,7 +1,7 @@
 //! A character of somebody else's file: its skeleton at rest, and the file with one more animation.
 
 use super::accessor::{Rows, rows};
-use super::append::append;
+use super::append::{Added, append};
 use super::bones::joints;
 use super::document::{At, Document};
 use super::fault::GlbError;
@@ -110,6 +110,25 @@ impl<'a> Character<'a> {
     ///
     /// A node that is to be moved and says its place by a matrix; a file of more than 4 GB; and the writer's own errors.
     pub fn with_clip(&self, clip: &str, moved: &Moved, out: &mut impl Write) -> Result<String, IoError> {
+        Ok(self.with_clips([(clip, moved)], out)?.pop().unwrap_or_default())
+    }
+
+    /// The same with several, in their order.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Self::with_clip`].
+    pub fn with_clips<'c>(
+        &self,
+        clips: impl IntoIterator<Item = (&'c str, &'c Moved)>,
+        out: &mut impl Write,
+    ) -> Result<Vec<String>, IoError> {
+        let added = clips.into_iter().map(|(name, moved)| self.added(name, moved));
+        append(self.bytes, added.collect::<Result<_, _>>()?, out)
+    }
+
+    /// A motion as an animation of the file's nodes.
+    fn added(&self, clip: &str, moved: &Moved) -> Result<Added, IoError> {
         let start = moved.time.first().copied().unwrap_or(0.0);
         let times: Vec<f64> = moved.time.iter().map(|time| time - start).collect();
         let mut turns: Vec<(usize, Vec<[f32; 4]>)> = Vec::new();
@@ -138,7 +157,7 @@ impl<'a> Character<'a> {
                 return Err(IoError::NotFinite { column, time: *time, value: f64::from(*value) });
             }
         }
-        append(self.bytes, clip, &times, &turns, (self.nodes[*root], &way), out)
+        Ok(Added { name: clip.to_owned(), times, turns, root: self.nodes[*root], way })
     }
 }
 

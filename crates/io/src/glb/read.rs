@@ -2,7 +2,7 @@
 
 use super::bones::Bones;
 use super::curves::{self, Animation};
-use super::document::Document;
+use super::document::{At, Document};
 use super::fault::GlbError;
 use super::nodes::{Local, Nodes, World};
 use crate::bvh::Unit;
@@ -117,6 +117,15 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Clip, GlbError> {
     Ok(Clip { figure, motion, findings: said.findings, unit })
 }
 
+/// The names of a file's animations, in their order; one without a name has `animation` and its number.
+///
+/// # Errors
+///
+/// What is not glTF 2.0.
+pub fn animations(bytes: &[u8]) -> Result<Vec<String>, GlbError> {
+    Ok(named(&Document::read(bytes)?.list("animations")?))
+}
+
 /// The animation that is asked for, or the first.
 fn chosen(
     document: &Document,
@@ -125,7 +134,7 @@ fn chosen(
     said: &mut Said,
 ) -> Result<Option<Animation>, GlbError> {
     let list = document.list("animations")?;
-    let names: Vec<String> = list.iter().enumerate().map(|(i, at)| curves::name(at, i)).collect();
+    let names = named(&list);
     let index = match asked {
         None => 0,
         Some(asked) => names.iter().position(|name| name == asked).ok_or_else(|| GlbError::NoClip {
@@ -147,6 +156,10 @@ fn chosen(
         said.say(FindingKind::Note, "animations", message, None);
     }
     Animation::of(document, nodes, index).map(Some)
+}
+
+fn named(animations: &[At]) -> Vec<String> {
+    animations.iter().enumerate().map(|(i, at)| curves::name(at, i)).collect()
 }
 
 /// Names in quotes, the first twelve.

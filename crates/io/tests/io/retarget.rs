@@ -296,3 +296,70 @@ fn what_goes_round_and_round_does_so_on_other_legs() {
         );
     }
 }
+
+/// On whoever is alike on both sides, what left does in the mirror image is what right does without it.
+#[test]
+fn a_mirror_image_turns_the_other_way() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let request = WalkRequest { turn: 0.12, step_frequency: Some(110.0), ..WalkRequest::default() };
+    let motion = walk(&ann, &request).expect("a walk").motion(&ann, 60.0).expect("a motion");
+    let take = take(&ann, &motion);
+    let across = |v: Vector3<f64>| Vector3::new(-v.x, v.y, v.z);
+    let mut turned = 0;
+    for (what, made) in strangers() {
+        let (_, plain, clip) = onto(&made.bytes(), &take);
+        let (_, moved, image) = onto(&made.bytes(), &take.clone().mirrored());
+        assert_eq!(moved.replanted.stances, plain.replanted.stances, "{what}");
+        let places = |clip: &Clip, sample: usize, name: &str| {
+            let link = clip.figure.link_index(&(made.names)(name)).expect("a bone");
+            clip.figure.places(clip.motion.q(sample))[link]
+        };
+        for sample in (0..clip.motion.len()).step_by(11) {
+            for (name, other) in [
+                ("pelvis", "pelvis"),
+                ("head", "head"),
+                ("left_forearm", "right_forearm"),
+                ("right_hand", "left_hand"),
+                ("left_foot", "right_foot"),
+                ("right_shank", "left_shank"),
+            ] {
+                let at = [places(&clip, sample, name), places(&image, sample, other)];
+                let [one, two] = at.map(|place| place.translation.vector);
+                assert!((across(one) - two).norm() < 1e-5, "{what}: {name} in {sample}: {one} {two}");
+            }
+        }
+        let last = clip.motion.len() - 1;
+        let way =
+            places(&clip, last, "pelvis").translation.vector - places(&clip, 0, "pelvis").translation.vector;
+        turned += usize::from(way.x.abs() > 0.3);
+        assert_eq!(take.clone().mirrored().mirrored().len(), take.len());
+    }
+    assert_eq!(turned, strangers().len());
+}
+
+#[test]
+fn several_clips_go_into_one_file() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let take = take(&ann, &walked(&ann));
+    let bytes = Made::default().bytes();
+    let character = Character::read(&bytes, "hero").expect("a character");
+    let roles = Roles::find(character.skeleton(), &BoneMap::default()).expect("roles");
+    let moved = [take.clone(), take.mirrored()]
+        .map(|take| retarget(&take, character.skeleton(), &roles).expect("moved"));
+    let mut out = Vec::new();
+    let names = character.with_clips(moved.iter().map(|moved| ("walk", moved)), &mut out).expect("written");
+    let before = glb::animations(&bytes).expect("glTF");
+    assert_eq!(names, ["walk", "walk 2"]);
+    assert_eq!(glb::animations(&out).expect("glTF"), [&before[..], &names].concat());
+    // Each is what it would be alone.
+    for (name, moved) in names.iter().zip(&moved) {
+        let mut alone = Vec::new();
+        character.with_clip("alone", moved, &mut alone).expect("written");
+        let [one, other] = [(&out, name.as_str()), (&alone, "alone")]
+            .map(|(bytes, name)| read(bytes, &named(name)).expect("read").motion);
+        assert_eq!(one.len(), other.len());
+        for frame in 0..one.len() {
+            assert_eq!(one.q(frame), other.q(frame), "{name}");
+        }
+    }
+}
