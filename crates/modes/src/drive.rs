@@ -189,4 +189,14 @@ pub enum EndCondition {
         /// The velocity.
         value: f64,
     },
+    /// When a link that dynamics move comes down on the ground, with the first of its points.
+    TouchDown {
+        /// Which.
+        link: String,
+    },
+    /// When a link that dynamics move leaves the ground, with the last of its points.
+    LiftOff {
+        /// Which.
+        link: String,
+    },
 }

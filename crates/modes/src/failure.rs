@@ -35,6 +35,15 @@ pub enum SetupError {
         /// The nearest name.
         nearest: Option<String>,
     },
+    /// Something waits for a link to touch the ground, or to leave it, and it never can.
+    #[error(
+        "something waits for '{link}' to come to the ground or to leave it, but there is no ground, or nothing of '{link}' touches it: \
+         lay a ground, or name one of the links that touch"
+    )]
+    NothingTouches {
+        /// The link.
+        link: String,
+    },
     /// A drive that a ball or free joint does not have.
     #[error(
         "'{dof}' belongs to the ball or free joint '{joint}', which has no {drive} drive yet; its velocities can be free or \

@@ -21,6 +21,7 @@ mod pushes;
 mod record;
 mod running;
 mod stages;
+mod touching;
 mod tracks;
 mod usual;
 mod watching;

@@ -68,6 +68,7 @@ impl Simulation {
                     if matches!(until, EndCondition::Done | EndCondition::Part(_)) {
                         return Err(SetupError::Sequence { part: index + 1 });
                     }
+                    self.check_until(&until)?;
                     stages.push(Stage { parties: Vec::new(), until });
                     continue;
                 }

@@ -362,26 +362,42 @@ impl Simulation {
                 return Err(SetupError::NoSuchDrive { dof: owned(), joint, drive: drive.name() });
             }
             drive.check(self.name(dof))?;
-            match until {
-                EndCondition::Done | EndCondition::Part(_) => {}
-                EndCondition::Time(value) | EndCondition::Lasting(value) => {
-                    check_not_negative(|| format!("the time until which '{}' has a drive", owned()), *value)?;
+            self.check_until(until)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses what nothing can come to.
+    pub(crate) fn check_until(&self, until: &EndCondition) -> Result<(), SetupError> {
+        match until {
+            EndCondition::Done | EndCondition::Part(_) => {}
+            EndCondition::Time(value) | EndCondition::Lasting(value) => {
+                check_not_negative(
+                    || "the time until which a drive is had, or waited for,".to_owned(),
+                    *value,
+                )?;
+            }
+            EndCondition::Position { dof: name, value } | EndCondition::Velocity { dof: name, value } => {
+                let [watched] = self.dofs(name)?[..] else {
+                    let (figure, name) = (self.figure.name().to_owned(), name.clone());
+                    return Err(SetupError::UnknownDof { figure, name, nearest: None });
+                };
+                if matches!(until, EndCondition::Position { .. })
+                    && self.figure.layout().coordinate(watched).is_none()
+                {
+                    let (joint, drive) = (name.clone(), "until a position");
+                    return Err(SetupError::NoSuchDrive { dof: name.clone(), joint, drive });
                 }
-                EndCondition::Position { dof: name, value } | EndCondition::Velocity { dof: name, value } => {
-                    let [watched] = self.dofs(name)?[..] else {
-                        let (figure, name) = (self.figure.name().to_owned(), name.clone());
-                        return Err(SetupError::UnknownDof { figure, name, nearest: None });
-                    };
-                    if matches!(until, EndCondition::Position { .. })
-                        && self.figure.layout().coordinate(watched).is_none()
-                    {
-                        let (joint, drive) = (name.clone(), "until a position");
-                        return Err(SetupError::NoSuchDrive { dof: name.clone(), joint, drive });
-                    }
-                    if !value.is_finite() {
-                        let what = format!("the value that '{name}' is to pass through");
-                        return Err(SetupError::Range { what, value: *value, range: "a finite number" });
-                    }
+                if !value.is_finite() {
+                    let what = format!("the value that '{name}' is to pass through");
+                    return Err(SetupError::Range { what, value: *value, range: "a finite number" });
+                }
+            }
+            EndCondition::TouchDown { link } | EndCondition::LiftOff { link } => {
+                if self.figure.link_index(link).is_none() {
+                    let names = self.figure.links().iter().map(solaris_model::Link::name);
+                    let (figure, nearest) = (self.figure.name().to_owned(), nearest(link, names));
+                    return Err(SetupError::UnknownLink { figure, name: link.clone(), nearest });
                 }
             }
         }

@@ -21,6 +21,8 @@ function end(until: Record<string, unknown> | null, turns: (dof: string) => bool
   if ('lasting' in until) return ` for ${number(Number(until.lasting), 3)} s`;
   if ('passes' in until) return ` until ${until.passes} passes ${amount(until.passes, '°', 'm')}`;
   if ('passesSpeed' in until) return ` until ${until.passesSpeed} passes ${amount(until.passesSpeed, '°/s', 'm/s')}`;
+  if ('touches' in until) return ` until ${until.touches} touches the ground`;
+  if ('leaves' in until) return ` until ${until.leaves} leaves the ground`;
   return '';
 }
 

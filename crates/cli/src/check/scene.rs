@@ -233,6 +233,8 @@ fn told(steps: &[Step]) -> String {
             EndCondition::Lasting(time) => format!(" for {time} s"),
             EndCondition::Position { dof, .. } => format!(" until {dof} passes"),
             EndCondition::Velocity { dof, .. } => format!(" until the speed of {dof} passes"),
+            EndCondition::TouchDown { link } => format!(" until {link} touches the ground"),
+            EndCondition::LiftOff { link } => format!(" until {link} leaves the ground"),
             _ => String::new(),
         };
         format!("{}{until}", drive.name())

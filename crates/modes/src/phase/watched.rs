@@ -17,6 +17,8 @@ pub(crate) enum Watched {
     Hold { dof: usize },
     /// How far a sphere that can touch the ground is above it (m), and `below` (m).
     Gap { touch: usize, below: f64 },
+    /// How far the lowest point of a link is above the ground (m), less `off` (m).
+    Near { link: usize, off: f64 },
     /// The force of a lever of a contact patch, by their indices, as a part of the weight, and `slack`.
     Lever { hold: usize, lever: usize, slack: f64 },
     /// What a servo of a degree of freedom asks for, by its place among those of its drive, less what its motor gives at most
@@ -53,6 +55,9 @@ impl Phase {
                 Watched::Gap { touch, below } => {
                     small.and_then(|small| small.lowest(touch)).map_or(f64::NAN, |(_, gap)| gap + below)
                 }
+                Watched::Near { link, off } => {
+                    small.and_then(|small| self.nearest(small, link)).map_or(f64::NAN, |gap| gap - off)
+                }
                 Watched::Saturation { dof, servo, most } => {
                     self.demand(dof, servo, t, y).map_or(f64::NAN, |demand| demand - most)
                 }
@@ -77,11 +82,19 @@ impl Phase {
         let any = |is: fn(&Watched) -> bool| self.watched.iter().any(is);
         if any(|watched| matches!(watched, Watched::Hold { .. } | Watched::Lever { .. })) {
             small.solve(&self.prescribed, t, y).is_ok()
-        } else if any(|watched| matches!(watched, Watched::Gap { .. })) {
+        } else if any(|watched| matches!(watched, Watched::Gap { .. } | Watched::Near { .. })) {
             small.place(&self.prescribed, t, y).is_ok()
         } else {
             false
         }
+    }
+
+    /// How far the lowest point of a link of the full figure is above the ground (m).
+    fn nearest(&self, small: &Small, link: usize) -> Option<f64> {
+        let points = self.source.surface.as_ref()?.contact_points.iter().enumerate();
+        let gaps =
+            points.filter(|(_, point)| point.link == link).filter_map(|(touch, _)| small.lowest(touch));
+        gaps.map(|(_, gap)| gap).min_by(f64::total_cmp)
     }
 
     /// The force of a lever as a part of the weight.

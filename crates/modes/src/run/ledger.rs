@@ -88,15 +88,19 @@ impl Ledger {
 }
 
 /// An energy (J) that is little for the figure: to lift it by a hundredth of its height, or of how long it is where all of it is on one
-/// level.
+/// level, or how large what touches the ground is where it has no length at all.
 pub(crate) fn least_energy(simulation: &Simulation) -> f64 {
-    let Simulation { figure, gravity, .. } = simulation;
+    let Simulation { figure, gravity, surface, .. } = simulation;
     if gravity.norm() == 0.0 {
         return 0.0;
     }
     let along = |direction: Vector3<f64>| figure.extent(&direction).height;
     let height = match along(-gravity) {
-        0.0 => [Vector3::x(), Vector3::y(), Vector3::z()].map(along).into_iter().fold(0.0, f64::max),
+        0.0 => {
+            let points = surface.iter().flat_map(|surface| &surface.contact_points);
+            let touching = points.map(|point| point.center.norm() + point.radius).fold(0.0, f64::max);
+            [Vector3::x(), Vector3::y(), Vector3::z()].map(along).into_iter().fold(touching, f64::max)
+        }
         height => height,
     };
     0.01 * figure.mass() * gravity.norm() * height

@@ -8,6 +8,7 @@ use super::guard;
 use super::ledger::{Ledger, least_energy};
 use super::pushes;
 use super::record::{Record, near};
+use super::touching;
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::{GROUND, Phase, Role};
@@ -156,6 +157,7 @@ impl Pass {
         if !by_impulses {
             closing::check(simulation, &mut body, &q, &v)?;
         }
+        touching::check(simulation)?;
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation: Arc::clone(simulation),
@@ -229,7 +231,8 @@ impl Pass {
     pub(super) fn close(&mut self, stopped: &Stopped, meanings: &[Meaning]) -> Result<(), RunError> {
         self.cap = f64::INFINITY;
         self.passed.jumps |= !stopped.events.is_empty();
-        let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
+        let mut events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
+        self.drop_wrong_ways(&mut events)?;
         self.change(&events)
     }
 

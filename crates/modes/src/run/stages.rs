@@ -19,9 +19,10 @@ impl Pass {
         let over = match &stage.until {
             EndCondition::Time(time) => *time <= due,
             EndCondition::Lasting(time) => self.stage_begun() + time <= due,
-            EndCondition::Position { .. } | EndCondition::Velocity { .. } => {
-                events.contains(&Meaning::StageEnds)
-            }
+            EndCondition::Position { .. }
+            | EndCondition::Velocity { .. }
+            | EndCondition::TouchDown { .. }
+            | EndCondition::LiftOff { .. } => events.contains(&Meaning::StageEnds),
             EndCondition::Done | EndCondition::Part(_) => {
                 let ready = |&(dof, last): &(usize, usize)| {
                     let driven = &self.driven[dof];
@@ -63,7 +64,7 @@ impl Pass {
             EndCondition::Velocity { dof, value } => {
                 Some(Watched::Velocity { dof: layout.dof_index(dof)?, value: *value })
             }
-            _ => None,
+            until => self.watched_contact(until),
         }
     }
 }

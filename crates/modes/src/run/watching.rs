@@ -56,7 +56,12 @@ impl Pass {
                         watch(Watched::Velocity { dof: of, value: *value }, Meaning::DriveEnds(dof));
                     }
                 }
-                _ => {}
+                Some(until) => {
+                    if let Some(near) = self.watched_contact(until) {
+                        watch(near, Meaning::DriveEnds(dof));
+                    }
+                }
+                None => {}
             }
         }
         if let Some(stage) = self.watched_stage() {

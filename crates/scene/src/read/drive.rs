@@ -27,7 +27,7 @@ pub(super) const DRIVES: [&str; 17] = [
     "Repeat",
 ];
 
-const UNTIL: [&str; 5] = ["Done", "At", "Lasting", "Passes", "PassesSpeed"];
+const UNTIL: [&str; 7] = ["Done", "At", "Lasting", "Passes", "PassesSpeed", "Touches", "Leaves"];
 
 /// The fields that each drive has.
 fn known(kind: &str) -> &'static [&'static str] {
@@ -218,9 +218,21 @@ impl SceneReader<'_> {
                     EndCondition::Velocity { dof, value }
                 })
             }
+            ("Touches" | "Leaves", Some([name])) => {
+                let link = self.reader.name(name, "the link")?;
+                // Without a figure the name means nothing yet.
+                if self.simulation.is_some() {
+                    self.link(name, link, None)?;
+                }
+                Some(if kind == "Touches" {
+                    EndCondition::TouchDown { link: link.to_owned() }
+                } else {
+                    EndCondition::LiftOff { link: link.to_owned() }
+                })
+            }
             _ => {
                 let message = "a drive lasts until: At(2.0), Lasting(0.5), Passes(\"elbow.rx\", deg(10)), \
-                               PassesSpeed(\"elbow.rx\", 1.0) or Done";
+                               PassesSpeed(\"elbow.rx\", 1.0), Touches(\"left_foot\"), Leaves(\"left_foot\") or Done";
                 self.reader.fault(node.place(), message);
                 None
             }

@@ -260,6 +260,8 @@ fn step(step: &Step) -> Value {
         EndCondition::Lasting(time) => json!({ "lasting": time }),
         EndCondition::Position { dof, value } => json!({ "passes": dof, "value": value }),
         EndCondition::Velocity { dof, value } => json!({ "passesSpeed": dof, "value": value }),
+        EndCondition::TouchDown { link } => json!({ "touches": link }),
+        EndCondition::LiftOff { link } => json!({ "leaves": link }),
         _ => Value::Null,
     };
     json!({ "drive": step.drive.name(), "until": until })
