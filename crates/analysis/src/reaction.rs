@@ -55,6 +55,21 @@ pub struct ReactionReport {
     pub cop_from_nominal: Peak,
 }
 
+impl ReactionReport {
+    /// Of each number the worse one of two, such as those of two who walk in one motion.
+    #[must_use]
+    pub fn worst(self, other: Self) -> Self {
+        let prescribed = self.from_prescribed.into_iter().chain(other.from_prescribed);
+        Self {
+            split: self.split,
+            root_force: self.root_force.max(other.root_force),
+            root_moment: self.root_moment.max(other.root_moment),
+            from_prescribed: prescribed.reduce(Peak::max),
+            cop_from_nominal: self.cop_from_nominal.max(other.cop_from_nominal),
+        }
+    }
+}
+
 /// A foot: the links that carry its wrench.
 pub(crate) struct Foot {
     name: String,

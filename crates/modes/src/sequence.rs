@@ -68,7 +68,7 @@ impl Simulation {
                     if matches!(until, EndCondition::Done | EndCondition::Part(_)) {
                         return Err(SetupError::Sequence { part: index + 1 });
                     }
-                    self.check_until(&until)?;
+                    self.check_until(&until, || "the time that a part of the sequence waits".to_owned())?;
                     stages.push(Stage { parties: Vec::new(), until });
                     continue;
                 }

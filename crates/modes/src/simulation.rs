@@ -362,20 +362,21 @@ impl Simulation {
                 return Err(SetupError::NoSuchDrive { dof: owned(), joint, drive: drive.name() });
             }
             drive.check(self.name(dof))?;
-            self.check_until(until)?;
+            self.check_until(until, || format!("the time until which '{}' has a drive", owned()))?;
         }
         Ok(())
     }
 
     /// Refuses what nothing can come to.
-    pub(crate) fn check_until(&self, until: &EndCondition) -> Result<(), SetupError> {
+    pub(crate) fn check_until(
+        &self,
+        until: &EndCondition,
+        time: impl Fn() -> String,
+    ) -> Result<(), SetupError> {
         match until {
             EndCondition::Done | EndCondition::Part(_) => {}
             EndCondition::Time(value) | EndCondition::Lasting(value) => {
-                check_not_negative(
-                    || "the time until which a drive is had, or waited for,".to_owned(),
-                    *value,
-                )?;
+                check_not_negative(time, *value)?;
             }
             EndCondition::Position { dof: name, value } | EndCondition::Velocity { dof: name, value } => {
                 let [watched] = self.dofs(name)?[..] else {

@@ -3,6 +3,7 @@
 mod complete;
 mod error;
 mod loader;
+mod member;
 mod read;
 mod scene;
 mod soles;

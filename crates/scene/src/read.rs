@@ -27,6 +27,7 @@ mod velocities;
 mod walk;
 
 use crate::loader::Loader;
+use crate::member::Member;
 use crate::scene::Scene;
 use crate::spelled;
 use include::Gathering;
@@ -87,6 +88,8 @@ struct SceneReader<'l> {
     made: usize,
     motors: actuators::Motors,
     ties: loops::Asked,
+    /// The figures, where there are several.
+    members: Vec<Member>,
 }
 
 /// The scene that `text` describes.
@@ -149,6 +152,7 @@ impl<'l> SceneReader<'l> {
             made: 0,
             motors: actuators::Motors::default(),
             ties: loops::Asked::new(),
+            members: Vec::new(),
         }
     }
 }
@@ -179,12 +183,8 @@ impl SceneReader<'_> {
         let mut given = self.drives(&fields);
         self.sequence_of_parts(&fields, &mut given);
         self.idle_motors(&mut given);
-        // Of several figures none walks, which has been said.
-        let figures = fields.get("figures").and_then(Node::entries).unwrap_or_default();
-        let is_crowd = |node: &Node<'_>| node.head().is_some_and(|head| head.name == "Crowd");
-        let several = figures.len() > 1 || figures.iter().any(|(_, figure)| is_crowd(figure));
         let terrain = self.terrain(&fields);
-        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given, terrain.as_ref());
+        let walk = self.walk(&fields, name.as_deref().zip(figure.as_ref()), &given, terrain.as_ref());
         self.start(&fields, &given, walk.as_ref());
         self.clip(&fields, &mut given);
         self.springs(&fields);
@@ -206,7 +206,8 @@ impl SceneReader<'_> {
             simulation,
             settings: settings?,
             notes: said,
-            walk: walk.map(|walk| walk.into_walked(&reaching, friction)),
+            walks: walk.map_or_else(Vec::new, |walk| walk.into_walked(&reaching)),
+            friction,
         })
     }
 

@@ -1,7 +1,8 @@
 //! A scene: everything that a motion script says, ready to be run.
 
 use crate::error::SceneError;
-use solaris_analysis::{ReactionReport, ground_reactions};
+use crate::member::Member;
+use solaris_analysis::{ReactionError, ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion, Relief};
 use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};
@@ -16,12 +17,17 @@ pub struct Scene {
     pub(crate) settings: Settings,
     /// What there is to say of it before it is run.
     pub(crate) notes: Vec<String>,
-    pub(crate) walk: Option<Walked>,
+    /// Who walks: of one figure itself, of several each that does.
+    pub(crate) walks: Vec<Walked>,
+    /// The friction of the ground that they walk on, where the scene says it.
+    pub(crate) friction: Option<f64>,
 }
 
-/// A walk that the figure follows where nothing else drives it.
+/// A walk that a figure follows where nothing else drives it.
 #[derive(Clone)]
 pub(crate) struct Walked {
+    /// Which, of several figures.
+    pub(crate) of: Option<Member>,
     pub(crate) plan: Arc<WalkSequence>,
     /// When which point is planted, in the order of time.
     pub(crate) planted: Vec<Interval>,
@@ -29,8 +35,6 @@ pub(crate) struct Walked {
     pub(crate) events: Vec<Event>,
     /// How many degrees of freedom follow it.
     pub(crate) followed: usize,
-    /// The friction of its ground, where the scene says it.
-    pub(crate) friction: Option<f64>,
     /// The heights of its ground, where it is not level.
     pub(crate) relief: Option<Relief>,
 }
@@ -77,14 +81,14 @@ impl Scene {
         &self.notes
     }
 
-    /// What is walked, if anything: one walk, or several with standing in between.
+    /// What is walked, if anything: one walk, or several with standing in between; of several who walk, what the first does.
     pub fn walk(&self) -> Option<&WalkSequence> {
-        self.walk.as_ref().map(|walk| &*walk.plan)
+        self.walks.first().map(|walk| &*walk.plan)
     }
 
-    /// How many degrees of freedom follow the walk.
+    /// How many degrees of freedom follow a walk.
     pub fn walked(&self) -> usize {
-        self.walk.as_ref().map_or(0, |walk| walk.followed)
+        self.walks.iter().map(|walk| walk.followed).sum()
     }
 
     /// Refuses what [`Self::simulate`] would refuse at the beginning.
@@ -105,16 +109,38 @@ impl Scene {
     pub fn simulate(&self, observer: &mut dyn Observer) -> Result<Simulated, SceneError> {
         let Run { mut motion, mut report } = self.simulation.run_observed(&self.settings, observer)?;
         report.remarks.extend(self.notes.iter().cloned().map(Remark::Said));
-        let Some(walk) = &self.walk else { return Ok(Simulated { motion, report, reactions: None }) };
+        if self.walks.is_empty() {
+            return Ok(Simulated { motion, report, reactions: None });
+        }
         let end = motion.time().last().copied().unwrap_or_default();
-        let planted = walk.planted.iter().filter(|planted| planted.start < end).cloned();
+        let begun = |walk: &Walked| {
+            walk.planted.iter().filter(|planted| planted.start < end).cloned().collect::<Vec<_>>()
+        };
+        let planted = self.walks.iter().flat_map(begun);
         motion.planted = planted.map(|planted| Interval { end: planted.end.min(end), ..planted }).collect();
-        motion.events.extend(walk.events.iter().filter(|event| event.time <= end).cloned());
+        motion.planted.sort_by(|a, b| a.start.total_cmp(&b.start));
+        let events = self.walks.iter().flat_map(|walk| &walk.events);
+        motion.events.extend(events.filter(|event| event.time <= end).cloned());
         motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
-        motion.info.ground = Some(Ground { height: 0.0, friction: walk.friction });
-        motion.relief.clone_from(&walk.relief);
-        let reactions = ground_reactions(self.figure(), &mut motion, FEET, &*walk.plan)?;
-        Ok(Simulated { motion, report, reactions: Some(reactions) })
+        motion.info.ground = Some(Ground { height: 0.0, friction: self.friction });
+        motion.relief.clone_from(&self.walks[0].relief);
+        let mut reactions: Option<ReactionReport> = None;
+        for walk in &self.walks {
+            let own = match &walk.of {
+                None => ground_reactions(self.figure(), &mut motion, FEET, &*walk.plan)?,
+                Some(member) => {
+                    let mut part = member.part(&motion).map_err(ReactionError::from)?;
+                    let own = ground_reactions(&member.figure, &mut part, FEET, &*walk.plan)?;
+                    member.put_back(&part, &mut motion).map_err(ReactionError::from)?;
+                    own
+                }
+            };
+            reactions = Some(match reactions {
+                Some(before) => before.worst(own),
+                None => own,
+            });
+        }
+        Ok(Simulated { motion, report, reactions })
     }
 }
 

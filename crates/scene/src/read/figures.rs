@@ -2,6 +2,7 @@
 
 use super::SceneReader;
 use super::places::Member;
+use crate::member::Member as OfSeveral;
 use nalgebra::{Unit, Vector3};
 use solaris_model::text::{Fields, Node, read_node};
 use solaris_model::{Base, Figure, Placement};
@@ -39,16 +40,15 @@ impl SceneReader<'_> {
             let figure = if *place == Placement::identity() { figure.clone() } else { figure.placed(place) };
             return Some((member.name.clone(), figure));
         }
-        if fields.get("walk").is_some() {
-            let message = "a walk is of one figure; walk each in a scene of its own, or leave 'walk' out";
-            self.reader.fault(node.place(), message);
-        }
         let all: Vec<(&str, &Figure, Placement)> = members
             .iter()
             .zip(&found)
             .zip(places)
             .map(|((member, figure), place)| (member.name.as_str(), figure, place))
             .collect();
+        self.members = OfSeveral::all(
+            all.iter().map(|(name, figure, place)| ((*name).to_owned(), (*figure).clone(), *place)),
+        );
         let figure = Figure::together(&all)
             .map_err(|error| self.reader.fault(node.place(), error.to_string()))
             .ok()?;

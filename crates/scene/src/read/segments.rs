@@ -13,7 +13,7 @@ const PART: [&str; 5] = ["steps", "step_frequency", "step_length", "speed", "tur
 const WALK: [&str; 3] = ["distance", "then", "backward"];
 
 /// A segment, beside where it is written.
-type Written<'n, 'a> = (Fields<'n, 'a>, WalkSegment);
+pub(super) type Written<'n, 'a> = (Fields<'n, 'a>, WalkSegment);
 
 impl SceneReader<'_> {
     /// `Walk(…)`, or a list of `Walk(…)` and `Stand(time: …)`.

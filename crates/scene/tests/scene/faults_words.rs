@@ -75,6 +75,12 @@ fn of_several_figures() {
         "places: {\"bob\": (at: (0, 0, 1)), \"bob\": (facing: 1)}",
         "places: {\"bob\": (at: 3, facing: \"x\", side: 1)}",
         "walk: Walk(steps: 4, step_frequency: 110)",
+        "walk: {\"bib\": Walk(steps: 4), \"bob\": Walk(steps: 4), \"bob\": Walk(steps: 6)}",
+        "walk: {\"bob\": Walk(steps: 4, step_frequency: 300)}",
+        "walk: {\"bob\": Walk(steps: 4)}, places: {\"bob\": (at: (0, 0.2, 1))}",
+        "walk: {\"bob\": Walk(steps: 4)}, places: {\"bob\": (at: (1, 0, 1))}, ground: Stairs(friction: 0.8, count: 3)",
+        "walk: {\"bob\": Walk(steps: 4)}, carries: [Carry(mass: 3, in: \"bob.left_hand\")]",
+        "walk: {}",
     ] {
         let _ = write!(text, "{case}\n{}\n\n", faults(&scene(case)));
     }

@@ -12,5 +12,6 @@ mod runs;
 mod several;
 mod soles;
 mod ties;
+mod walkers;
 mod walks;
 mod words;
