@@ -12,6 +12,8 @@ import solaris
 import solaris._solaris
 import solaris.dataset
 import solaris.errors
+import solaris.plot
+import solaris.trials
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -25,7 +27,7 @@ def documented():
             for part, method in vars(thing).items():
                 if not part.startswith("_"):
                     yield f"{name}.{part}", getattr(method, "__doc__", None)
-    for module in (solaris, solaris.errors, solaris.dataset):
+    for module in (solaris, solaris.errors, solaris.dataset, solaris.trials, solaris.plot):
         yield module.__name__, module.__doc__
 
 
@@ -64,6 +66,15 @@ def test_pages_run(page, least, tmp_path, monkeypatch):
     names: dict = {}
     for block in blocks:
         exec(compile(block, page, "exec"), names)
+
+
+def test_a_picture_takes_the_command_of_the_page(tmp_path, monkeypatch):
+    text = (REPOSITORY / "docs/python.md").read_text().replace("\\\n", " ")
+    (line,) = re.findall(r"&& python (-m solaris\.plot .*)", text)
+    (tmp_path / "fixtures").symlink_to(REPOSITORY / "fixtures")
+    done = subprocess.run([sys.executable, *line.split()], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "moments.png").stat().st_size > 10_000
 
 
 def test_the_stub_is_what_is_there():

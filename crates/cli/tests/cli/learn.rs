@@ -4,12 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 /// The blocks of a page: the word behind the fence, and what stands between the fences.
-fn blocks(page: &str) -> Vec<(&str, String)> {
+pub(crate) fn blocks(page: &str) -> Vec<(&str, String)> {
     let mut found: Vec<(&str, String)> = Vec::new();
     let mut inside = false;
     for line in page.lines() {
@@ -30,28 +30,42 @@ fn blocks(page: &str) -> Vec<(&str, String)> {
     found
 }
 
+/// Somebody who does what pages say, in a folder of their own.
+pub(crate) struct Reader {
+    folder: tempfile::TempDir,
+    path: String,
+}
+
+impl Reader {
+    pub(crate) fn new() -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let fixtures = root().join("fixtures").canonicalize().expect("fixtures");
+        std::os::unix::fs::symlink(fixtures, folder.path().join("fixtures")).expect("a link");
+        let program = Path::new(env!("CARGO_BIN_EXE_solaris")).parent().expect("its folder");
+        let path = format!("{}:{}", program.display(), std::env::var("PATH").expect("a path"));
+        Self { folder, path }
+    }
+
+    /// Runs commands of a page, which have to succeed; what they print.
+    pub(crate) fn run(&self, page: &str, commands: &str) -> String {
+        let mut shell = Command::new("sh");
+        shell.args(["-e", "-c", commands]).env("PATH", &self.path).current_dir(self.folder.path());
+        let output = shell.output().expect("a shell");
+        let told = String::from_utf8([output.stdout, output.stderr].concat()).expect("text");
+        assert!(output.status.success(), "{page}: {commands}\n{told}");
+        told
+    }
+}
+
 /// Walks a page; gives how many commands and quotes it has.
 fn walk(name: &str) -> [usize; 2] {
     let page = fs::read_to_string(root().join("docs/learn").join(name)).expect(name);
-    let folder = tempfile::tempdir().expect("a folder");
-    let fixtures = root().join("fixtures").canonicalize().expect("fixtures");
-    std::os::unix::fs::symlink(fixtures, folder.path().join("fixtures")).expect("a link");
-    let program = Path::new(env!("CARGO_BIN_EXE_solaris")).parent().expect("its folder");
-    let path = format!("{}:{}", program.display(), std::env::var("PATH").expect("a path"));
+    let reader = Reader::new();
     let (mut printed, mut count) = (String::new(), [0; 2]);
     for (word, block) in blocks(&page) {
         match word {
             "sh" => {
-                let output = Command::new("sh")
-                    .args(["-e", "-c", &block])
-                    .env("PATH", &path)
-                    .current_dir(folder.path())
-                    .output()
-                    .expect("a shell");
-                let told = [output.stdout, output.stderr].concat();
-                let told = String::from_utf8(told).expect("text");
-                assert!(output.status.success(), "{name}: {block}\n{told}");
-                printed.push_str(&told);
+                printed.push_str(&reader.run(name, &block));
                 count[0] += 1;
             }
             "text" => {

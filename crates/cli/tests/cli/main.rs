@@ -3,6 +3,8 @@
 mod again;
 mod alone;
 mod book;
+#[cfg(unix)]
+mod commands;
 mod disk_full;
 mod drives;
 mod hostile;
