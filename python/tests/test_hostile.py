@@ -77,7 +77,12 @@ def test_animation_files_keep_names(name, tmp_path):
     length = struct.unpack_from("<I", data, 12)[0]
     document = json.loads(data[20 : 20 + length])
     assert name in {node.get("name") for node in document["nodes"]}
-    for path in ("x.bvh", "x.usda"):
-        motion.save(tmp_path / path)
-        text = (tmp_path / path).read_text()
-        assert "\u202e" not in text or path == "x.usda"
+    # Names make no lines and no parts of their own.
+    usual = swung("arm")
+    for path, parts in (("x.bvh", ("JOINT", "ROOT", "End Site")), ("x.usda", ("def ", "{", "}"))):
+        shapes = []
+        for saved in (motion, usual):
+            saved.save(tmp_path / path)
+            lines = (tmp_path / path).read_text().splitlines()
+            shapes.append([len(lines), *(sum(line.lstrip().startswith(part) for line in lines) for part in parts)])
+        assert shapes[0] == shapes[1], path

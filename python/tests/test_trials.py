@@ -53,7 +53,9 @@ def test_each_is_what_it_is_alone(table, tmp_path):
     for name, column in alone.motion.to_dict().items():
         assert np.array_equal(written[name].to_numpy(), column), name
     assert float(rows["plates"]["residual_force_rms_n"]) == alone.residual["force_rms_n"]
-    assert float(rows["without"]["residual_force_rms_n"]) < 1.0 and float(rows["markers"]["marker_rms_m"]) < 0.01
+    assert float(rows["without"]["residual_force_rms_n"]) < 1.0
+    found = solaris.inverse_kinematics(solaris.read_figure(MARKERS / "leg.osim"), MARKERS / "swing.trc")
+    assert float(rows["markers"]["marker_rms_m"]) == found.rms
     assert pyarrow.read_table(tmp_path / "out" / rows["missing"]["file"]).num_rows == 0
 
 
