@@ -208,7 +208,8 @@ enum SolarisStatus solaris_walker_step(struct SolarisWalker *walker,
 enum SolarisStatus solaris_walker_whereabouts(const struct SolarisWalker *walker,
                                               struct SolarisWhereabouts *out);
 
-// Begins a scene of a file (`.ron`), by its own method, or by Runge and Kutta's rule at a millisecond where it leaves the method open.
+// Begins a scene of a file (`.ron`), by its own method; where it leaves that open in steps of a millisecond, by impulses over ground or
+// where links touch or are held together, else by Runge and Kutta's rule.
 enum SolarisStatus solaris_simulation_read(const char *path,
                                            struct SolarisSimulation **out);
 

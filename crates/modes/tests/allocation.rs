@@ -154,6 +154,34 @@ fn a_step_by_impulses_allocates_nothing() {
     assert_eq!(ALLOCATIONS.get(), before);
 }
 
+/// A limp person who falls, with limbs that touch each other and hands that hold each other.
+#[cfg(feature = "collision")]
+#[test]
+fn links_that_touch_and_are_held_together_allocate_nothing_once_there_is_room() {
+    let figure = Human::new(1.75, 73.0).limp().build().expect("within range");
+    let gravity = Vector3::new(0.0, -9.81, 0.0);
+    let mut simulation = Simulation::new(&figure, gravity);
+    let mut plane = GroundPlane::under(&figure, &gravity, 0.8).expect("gravity");
+    plane.law = ContactLaw::Rigid;
+    simulation.set_ground(plane, contact_points(&figure)).expect("valid");
+    simulation.stand().expect("a free root");
+    simulation.set_collisions(solaris_modes::Collisions::of(&figure, 0.5).expect("valid")).expect("valid");
+    let hand = |name: &str| Anchor { link: figure.link_index(name), point: Vector3::zeros() };
+    let between = [hand("left_hand"), hand("right_hand")];
+    simulation
+        .add_loop(solaris_modes::Loop { between, kind: solaris_modes::LoopKind::Connect })
+        .expect("valid");
+    let mut running = simulation.start(Stepping::Impulses { step: 1e-3 }).expect("begins");
+    // What touches anew finds room for it in the crate of shapes.
+    let mut quiet = 0;
+    for _ in 0..120 {
+        let before = ALLOCATIONS.get();
+        running.step(1.0 / 60.0).expect("goes on");
+        quiet += usize::from(ALLOCATIONS.get() == before);
+    }
+    assert!(quiet >= 100, "{quiet} of 120 frames without an allocation");
+}
+
 #[test]
 fn what_hangs_loose_allocates_nothing_in_a_frame() {
     let figure = human(1.75, 73.0).expect("within range");

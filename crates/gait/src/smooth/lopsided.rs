@@ -26,7 +26,7 @@ pub(crate) fn is_lopsided(body: &Body) -> bool {
 }
 
 /// Whether thighs or shanks are of unequal length.
-fn legs_differ(body: &Body) -> bool {
+pub(crate) fn legs_differ(body: &Body) -> bool {
     let [left, right] = body.sides;
     (left.thigh - right.thigh).abs() > BESIDE || (left.shank - right.shank).abs() > BESIDE
 }

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::request::{Extent, WalkGround, WalkRequest};
-use crate::smooth::lopsided::is_lopsided;
+use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
@@ -114,7 +114,9 @@ impl<'a> Planner<'a> {
         let plan = planned(route)?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let has_steady = has_steady && route.is_level();
-        let check = PlanCheck { figure: self.figure, route, nearest, deviates, tempo, has_steady };
+        let legs_differ = legs_differ(self.body);
+        let check =
+            PlanCheck { figure: self.figure, route, nearest, deviates, tempo, has_steady, legs_differ };
         check.check(&plan)?;
         // A body that is heavier on one side is judged as it walks.
         let sided = |plan: WalkPlan| {

@@ -27,6 +27,18 @@ pub(super) const DRIVES: [&str; 17] = [
     "Repeat",
 ];
 
+/// What moves more than a joint, and where it stands.
+const ELSEWHERE: [(&str, &str); 8] = [
+    ("Reach", "reaches: [Reach(…)]"),
+    ("Look", "reaches: [Look(…)]"),
+    ("Hold", "reaches: [Hold(…)]"),
+    ("Clip", "clip: Clip(…)"),
+    ("Carry", "carries: [Carry(…)]"),
+    ("Push", "pushes: [Push(…)]"),
+    ("Walk", "walk: Walk(…)"),
+    ("Together", "sequence: [Together({…})]"),
+];
+
 const UNTIL: [&str; 7] = ["Done", "At", "Lasting", "Passes", "PassesSpeed", "Touches", "Leaves"];
 
 /// The fields that each drive has.
@@ -65,6 +77,12 @@ impl SceneReader<'_> {
             // A curve may stand here too, of which the one that is read knows nothing.
             let curves = Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted"]);
             self.reader.expect(&head.span, ExpectedKind::Word, "curve", curves);
+            if let Some((_, field)) = ELSEWHERE.iter().find(|(name, _)| *name == head.name) {
+                let message =
+                    format!("{} is not a drive of a joint; it stands beside the drives, {field}", head.name);
+                self.reader.fault(head.span.clone(), message);
+                return None;
+            }
         }
         let kind = self.reader.kind(node, &DRIVES)?;
         match (kind, node.tuple()) {

@@ -107,6 +107,8 @@ fn of_the_start() {
 fn of_drives() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Fre}",
+        "drives: {\"elbow.rx\": Reach(tip: \"hand\", to: (0, 1, 0), over: 1)}",
+        "drives: {\"elbow.rx\": [Wait(1), Walk(steps: 3)]}",
         "drives: {\"forearm.rx\": Free}",
         "drives: {\"elbow.rx\": []}",
         "drives: {\"elbow.rx\": 3}",
