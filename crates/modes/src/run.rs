@@ -43,6 +43,7 @@ pub(crate) use running::Progress;
 use solaris_dynamics::Wrench;
 use solaris_model::Motion;
 use std::sync::Arc;
+pub(crate) use usual::STEP;
 
 /// Whether the implicit method is built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");

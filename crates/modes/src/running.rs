@@ -4,7 +4,7 @@ use crate::failure::{RunError, SetupError};
 use crate::push::Push;
 use crate::range::check_positive;
 use crate::report::{Energy, Impact, Landing};
-use crate::run::{Pass, Present, Progress, Touching};
+use crate::run::{Pass, Present, Progress, STEP, Touching};
 use crate::settings::{Method, Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -14,9 +14,6 @@ use std::sync::Arc;
 
 /// The most steps of a fixed rule in one call.
 const MOST_STEPS: f64 = 1e7;
-
-/// The step (s) where a method would choose one.
-const STEP: f64 = 1e-3;
 
 /// A simulation on its way, which whoever calls takes further bit by bit, and may change in between.
 ///

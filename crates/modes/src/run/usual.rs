@@ -12,8 +12,8 @@ use std::sync::Arc;
 /// The tolerance (rad or m).
 const TOLERANCE: f64 = 1e-6;
 
-/// The step by impulses (s).
-const STEP: f64 = 1e-3;
+/// The step (s) of whatever would choose one.
+pub(crate) const STEP: f64 = 1e-3;
 
 /// On rigid ground: evaluations of a run, and of each second of it, that forces may take. What is at rest, falls over or rocks takes a
 /// hundredth of them.
