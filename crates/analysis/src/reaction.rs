@@ -58,7 +58,7 @@ pub struct ReactionReport {
 impl ReactionReport {
     /// Of each number the worse one of two, such as those of two who walk in one motion.
     #[must_use]
-    pub fn worst(self, other: Self) -> Self {
+    pub fn worst(&self, other: &Self) -> Self {
         let prescribed = self.from_prescribed.into_iter().chain(other.from_prescribed);
         Self {
             split: self.split,

@@ -140,15 +140,12 @@ pub(crate) fn asked(args: &RigArgs) -> Result<Bones, CliError> {
 /// Refuses bones and arrows that no file has.
 pub(crate) fn check<'a>(args: &RigArgs, paths: impl IntoIterator<Item = &'a Path>) -> Result<(), UsageError> {
     let extensions: Vec<String> = paths.into_iter().map(extension).collect();
-    check_bones(args, extensions.iter().map(String::as_str))
+    check_bones(args, &extensions.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 /// The same by the files' extensions.
-pub(crate) fn check_bones<'a>(
-    args: &RigArgs,
-    extensions: impl IntoIterator<Item = &'a str> + Clone,
-) -> Result<(), UsageError> {
-    let any = |known: &[&str]| extensions.clone().into_iter().any(|extension| known.contains(&extension));
+pub(crate) fn check_bones(args: &RigArgs, extensions: &[&str]) -> Result<(), UsageError> {
+    let any = |known: &[&str]| extensions.iter().any(|extension| known.contains(extension));
     if args.rig.is_some() && !any(&["bvh", "glb", "usda"]) {
         return Err(UsageError::NoBones);
     }

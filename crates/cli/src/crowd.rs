@@ -50,7 +50,7 @@ pub(crate) fn run(args: &CrowdArgs) -> Result<(), CliError> {
     };
     let is_one = extension(&args.output) == "glb" && !args.output.is_dir();
     let format = if is_one { "glb" } else { args.format.unwrap_or_default().extension() };
-    animation::check_bones(&args.bones, [format])?;
+    animation::check_bones(&args.bones, &[format])?;
     let bones = animation::asked(&args.bones)?;
     let pool = pool(args.threads.map_or(0, usize::from))?;
     let crowd = Crowd::new(&people, args, &bones);

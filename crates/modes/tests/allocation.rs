@@ -155,7 +155,7 @@ fn a_step_by_impulses_allocates_nothing() {
 }
 
 /// A limp person who falls, with limbs that touch each other and hands that hold each other.
-#[cfg(feature = "collision")]
+#[cfg(feature = "collide")]
 #[test]
 fn links_that_touch_and_are_held_together_allocate_nothing_once_there_is_room() {
     let figure = Human::new(1.75, 73.0).limp().build().expect("within range");

@@ -136,7 +136,7 @@ impl Scene {
                 }
             };
             reactions = Some(match reactions {
-                Some(before) => before.worst(own),
+                Some(before) => before.worst(&own),
                 None => own,
             });
         }

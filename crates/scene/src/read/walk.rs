@@ -23,6 +23,16 @@ pub(super) struct Planned {
     duration: f64,
 }
 
+/// Whose a walk is.
+enum Who {
+    /// The only figure's.
+    Only,
+    /// One's of several, by its place among them.
+    Member(usize),
+    /// Nobody's who can walk, which has been said.
+    Nobody,
+}
+
 /// What one figure walks.
 struct One {
     plan: Arc<WalkSequence>,
@@ -106,7 +116,11 @@ impl SceneReader<'_> {
         }
         let mut walks = Vec::new();
         for ((node, of), segments) in walkers.into_iter().zip(segments) {
-            let of = of?;
+            let of = match of {
+                Who::Only => None,
+                Who::Member(at) => Some(self.members[at].clone()),
+                Who::Nobody => return None,
+            };
             let alone = of.as_ref().map_or(figure, |member| &member.figure);
             let (plan, motion) = self.planned(fields, node, alone, segments?, terrain?)?;
             let own = of.as_ref().map_or(0..figure.layout().nv(), |member| member.rows().1);
@@ -135,17 +149,17 @@ impl SceneReader<'_> {
         node: &'n Node<'a>,
         only: Option<&str>,
         is_level: bool,
-    ) -> Vec<(&'n Node<'a>, Option<Option<Member>>)> {
+    ) -> Vec<(&'n Node<'a>, Who)> {
         let members = self.members.clone();
         let Some(entries) = node.entries() else {
             if members.is_empty() {
-                return vec![(node, Some(None))];
+                return vec![(node, Who::Only)];
             }
             let first = members.first().map_or("ann", |member| member.name.as_str());
             let message =
                 format!("there are several figures; say who walks: {{\"{first}\": Walk(steps: 6)}}");
             self.reader.fault(node.place(), message);
-            return vec![(node, None)];
+            return vec![(node, Who::Nobody)];
         };
         let names: Vec<&str> = match only.filter(|_| members.is_empty()) {
             Some(only) => vec![only],
@@ -161,18 +175,19 @@ impl SceneReader<'_> {
             let of = match found {
                 Some(_) if is_twice => {
                     self.reader.fault(key.span.clone(), format!("'{name}' has two walks; keep one of them"));
-                    None
+                    Who::Nobody
                 }
                 Some(at) => match members.get(at) {
-                    Some(member) => self.on_level(key, member, is_level).then(|| Some(member.clone())),
-                    None => Some(None),
+                    Some(member) if self.on_level(key, member, is_level) => Who::Member(at),
+                    Some(_) => Who::Nobody,
+                    None => Who::Only,
                 },
                 // Without figures no name means anything yet.
-                None if names.is_empty() => None,
+                None if names.is_empty() => Who::Nobody,
                 None => {
                     let message = format!("there is no figure '{name}'");
                     self.reader.unknown_name(key.span.clone(), &message, name, names.iter().copied());
-                    None
+                    Who::Nobody
                 }
             };
             walkers.push((value, of));

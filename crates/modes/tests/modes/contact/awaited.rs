@@ -92,9 +92,7 @@ fn a_part_begins_as_a_ball_leaves_and_the_next_as_it_comes_back() {
             let step = Drive::Move { to, over: 0.02, along: Shape::MinimumJerk }.into();
             Part::Together(vec![("rail".to_owned(), vec![step])])
         };
-        let waits = |comes_down| match until(Drive::Frozen, "ball", comes_down) {
-            Step { until, .. } => Part::Until(until),
-        };
+        let waits = |comes_down| Part::Until(until(Drive::Frozen, "ball", comes_down).until);
         simulation.sequence(vec![waits(false), part(1.0), waits(true), part(0.0)]).expect("valid");
         let found = run(&simulation, method, 1.5);
         let starts: Vec<f64> = found

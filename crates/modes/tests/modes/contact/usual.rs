@@ -113,7 +113,9 @@ fn dragging() -> Simulation {
             _ => None,
         };
         let drive = match to {
-            Some(to) => Drive::Move { to: to.to_radians(), over: 1.0, along: Default::default() },
+            Some(to) => {
+                Drive::Move { to: to.to_radians(), over: 1.0, along: solaris_modes::Shape::default() }
+            }
             None if name.starts_with("root") => Drive::Free,
             None => Drive::Frozen,
         };
