@@ -135,9 +135,8 @@ fn pushes_targets_and_what_acts_allocate_nothing_once_there_is_room() {
     }
 }
 
-/// A person who falls and lies, every step with contacts.
-#[test]
-fn a_step_by_impulses_allocates_nothing() {
+/// A limp person who stands on rigid ground.
+fn falling() -> Simulation {
     let figure = Human::new(1.75, 73.0).limp().build().expect("within range");
     let gravity = Vector3::new(0.0, -9.81, 0.0);
     let mut simulation = Simulation::new(&figure, gravity);
@@ -145,6 +144,13 @@ fn a_step_by_impulses_allocates_nothing() {
     plane.law = ContactLaw::Rigid;
     simulation.set_ground(plane, contact_points(&figure)).expect("valid");
     simulation.stand().expect("a free root");
+    simulation
+}
+
+/// A person who falls and lies, every step with contacts.
+#[test]
+fn a_step_by_impulses_allocates_nothing() {
+    let simulation = falling();
     let mut running = simulation.start(Stepping::Impulses { step: 1e-3 }).expect("begins");
     running.step(0.01).expect("goes on");
     let before = ALLOCATIONS.get();
@@ -158,13 +164,8 @@ fn a_step_by_impulses_allocates_nothing() {
 #[cfg(feature = "collide")]
 #[test]
 fn links_that_touch_and_are_held_together_allocate_nothing_once_there_is_room() {
-    let figure = Human::new(1.75, 73.0).limp().build().expect("within range");
-    let gravity = Vector3::new(0.0, -9.81, 0.0);
-    let mut simulation = Simulation::new(&figure, gravity);
-    let mut plane = GroundPlane::under(&figure, &gravity, 0.8).expect("gravity");
-    plane.law = ContactLaw::Rigid;
-    simulation.set_ground(plane, contact_points(&figure)).expect("valid");
-    simulation.stand().expect("a free root");
+    let mut simulation = falling();
+    let figure = simulation.figure().clone();
     simulation.set_collisions(solaris_modes::Collisions::of(&figure, 0.5).expect("valid")).expect("valid");
     let hand = |name: &str| Anchor { link: figure.link_index(name), point: Vector3::zeros() };
     let between = [hand("left_hand"), hand("right_hand")];
