@@ -9,9 +9,13 @@ use solaris::io::glb::{Actor, Clip, Detail, Options, write};
 use solaris::io::rig::{Rig, RigMap, Rigged};
 use solaris::io::usd;
 use solaris::model::{Figure, Motion};
-use solaris::skin::skin;
+use solaris::scene::OneOfSeveral;
+use solaris::skin::{person, skin};
 use std::io::Write;
 use std::path::Path;
+
+/// Of more figures than these the skins are rough.
+const FEW: usize = 4;
 
 /// What an animation file is to have.
 #[derive(Clone, Debug, Default)]
@@ -97,6 +101,32 @@ pub(crate) struct Person {
     pub(crate) name: String,
     pub(crate) figure: Figure,
     pub(crate) motion: Motion,
+}
+
+/// The figures of a scene in one file, people with their skin, and one clip that moves them; on the bones of a rig those that are people.
+pub(crate) fn scene(all: &[OneOfSeveral], bones: &Bones, mut writer: &mut dyn Write) -> Result<(), CliError> {
+    let options = Options { forces: bones.arrows, ..Options::default() };
+    let detail = if all.len() > FEW { Detail::Rough } else { Detail::default() };
+    let dressed = all.par_iter().map(|OneOfSeveral { alone, figure, motion, .. }| {
+        let is_person = person(alone, Detail::Rough).is_some();
+        let Some(rig) = bones.rig.as_ref().filter(|_| is_person) else {
+            return Ok((figure.clone(), motion.clone(), skin(alone, detail)));
+        };
+        let on = Rigged::new(alone, rig).map_err(CliError::other)?;
+        let place = figure.links()[0].joint().placement() * alone.links()[0].joint().placement().inverse();
+        let mut own = motion.clone();
+        own.info.fingerprint = alone.fingerprint();
+        let mut moved = on.motion(alone, &own).map_err(CliError::other)?;
+        let placed = on.figure.placed(&place);
+        moved.info.fingerprint = placed.fingerprint();
+        Ok((placed, moved, on.skin(alone, detail)))
+    });
+    let dressed: Vec<_> = dressed.collect::<Result<_, CliError>>()?;
+    let actors = all.iter().zip(&dressed);
+    let actors = actors.map(|(one, (figure, _, skin))| Actor { name: &one.name, figure, skin: Some(skin) });
+    let actors: Vec<Actor> = actors.collect();
+    let motions = dressed.iter().map(|(_, motion, _)| motion).enumerate().collect();
+    write(&actors, &[Clip { name: "run", motions }], options, &mut writer).map_err(CliError::other)
 }
 
 /// All of them in one file, and one clip that moves them.

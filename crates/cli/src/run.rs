@@ -110,6 +110,8 @@ fn check_bones(outputs: &Outputs<Format>, scene: &Scene, bones: &Bones) -> Resul
     let start = start.map_err(CliError::other)?;
     outputs.try_out(|format| match format {
         Format::Bvh => animation::bones(figure, &start, bones, &mut std::io::sink()),
+        // Of several figures those that are people have a rig's bones.
+        Format::Body(BodyFormat::Glb) if scene.is_of_several() => Ok(()),
         Format::Body(_) => {
             let on = bones.rig.as_ref().map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop));
             on.map_err(CliError::other)
@@ -161,7 +163,13 @@ fn write(
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => animation::bones(figure, motion, bones, writer),
-        Format::Body(how) => animation::body(how, figure, motion, "run", bones, writer),
+        Format::Body(how) => {
+            let several = scene.several(motion).map_err(CliError::other)?;
+            if how == BodyFormat::Glb && !several.is_empty() {
+                return animation::scene(&several, bones, writer);
+            }
+            animation::body(how, figure, motion, "run", bones, writer)
+        }
         Format::Sto => {
             solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }

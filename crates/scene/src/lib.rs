@@ -12,6 +12,7 @@ mod spelled;
 pub use complete::{Completion, Completions, complete};
 pub use error::SceneError;
 pub use loader::{Loader, NoFiles};
+pub use member::OneOfSeveral;
 pub use scene::{Scene, Simulated};
 pub use soles::read_soles;
 

@@ -4,6 +4,19 @@ use solaris_model::{
     Contact, ContactTrack, Event, EventKind, Figure, Interval, Known, Motion, MotionError, Placement,
 };
 
+/// A figure of several, with its part of what all of them do.
+#[derive(Clone, Debug)]
+pub struct OneOfSeveral {
+    /// What the scene calls it.
+    pub name: String,
+    /// The figure as it is alone, at the world's origin.
+    pub alone: Figure,
+    /// The figure where its place is.
+    pub figure: Figure,
+    /// What that one does: positions, velocities, accelerations, joint forces, contacts, touch-downs and lift-offs.
+    pub motion: Motion,
+}
+
 /// A figure of several.
 #[derive(Clone, Debug)]
 pub(crate) struct Member {
@@ -39,6 +52,25 @@ impl Member {
 
     /// Its part of a motion of all, as it would be alone at the world's origin.
     pub(crate) fn part(&self, motion: &Motion) -> Result<Motion, MotionError> {
+        self.part_of(motion, &self.figure, &self.place.inverse())
+    }
+
+    /// Itself where it stands, with its part of a motion of all.
+    pub(crate) fn in_the_world(&self, motion: &Motion) -> Result<OneOfSeveral, MotionError> {
+        let figure = self.figure.placed(&self.place);
+        let mut own = self.part_of(motion, &figure, &Placement::identity())?;
+        if let Some(taus) = motion.taus() {
+            let (_, of_v) = self.rows();
+            own.set_tau(
+                taus.chunks_exact(motion.v(0).len()).flat_map(|row| row[of_v.clone()].to_vec()).collect(),
+            )?;
+        }
+        own.events = motion.events.iter().filter_map(|event| self.own_event(event)).collect();
+        Ok(OneOfSeveral { name: self.name.clone(), alone: self.figure.clone(), figure, motion: own })
+    }
+
+    /// Its part of a motion of all, of itself placed as `figure`, with its contacts brought where that has them.
+    fn part_of(&self, motion: &Motion, figure: &Figure, back: &Placement) -> Result<Motion, MotionError> {
         let (of_q, of_v) = self.rows();
         let rows = |row: &dyn Fn(usize) -> Vec<f64>| (0..motion.len()).flat_map(row).collect::<Vec<f64>>();
         let columns = [
@@ -48,13 +80,10 @@ impl Member {
         ];
         let known = motion.known();
         let known = Known { v: known.v[of_v.clone()].to_vec(), a: known.a[of_v].to_vec() };
-        let info =
-            solaris_model::MotionInfo { fingerprint: self.figure.fingerprint(), ..motion.info.clone() };
-        let mut part = Motion::recorded(&self.figure, info, motion.time().to_vec(), columns, known)?;
-        let back = self.place.inverse();
+        let info = solaris_model::MotionInfo { fingerprint: figure.fingerprint(), ..motion.info.clone() };
+        let mut part = Motion::recorded(figure, info, motion.time().to_vec(), columns, known)?;
         let own = motion.contacts.iter().filter_map(|track| {
-            let link = track.link.strip_prefix(&self.name)?.strip_prefix('.')?;
-            Some(ContactTrack { link: link.to_owned(), samples: moved(&track.samples, &back) })
+            Some(ContactTrack { link: self.own_name(&track.link)?, samples: moved(&track.samples, back) })
         });
         part.contacts.extend(own);
         part.relief.clone_from(&motion.relief);
@@ -80,6 +109,21 @@ impl Member {
             }
         }
         Ok(())
+    }
+
+    /// What the link of that name among all is called by itself, if it is its own.
+    fn own_name(&self, link: &str) -> Option<String> {
+        Some(link.strip_prefix(&self.name)?.strip_prefix('.')?.to_owned())
+    }
+
+    /// An event of all, if it is its own.
+    fn own_event(&self, event: &Event) -> Option<Event> {
+        let kind = match &event.kind {
+            EventKind::TouchDown { link } => EventKind::TouchDown { link: self.own_name(link)? },
+            EventKind::LiftOff { link } => EventKind::LiftOff { link: self.own_name(link)? },
+            _ => return None,
+        };
+        Some(Event { kind, ..event.clone() })
     }
 
     /// What one of its links is called among all.

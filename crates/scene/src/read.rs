@@ -207,6 +207,7 @@ impl SceneReader<'_> {
             settings: settings?,
             notes: said,
             walks: walk.map_or_else(Vec::new, |walk| walk.into_walked(&reaching)),
+            members: std::mem::take(&mut self.members),
             friction,
         })
     }

@@ -1,10 +1,10 @@
 //! A scene: everything that a motion script says, ready to be run.
 
 use crate::error::SceneError;
-use crate::member::Member;
+use crate::member::{Member, OneOfSeveral};
 use solaris_analysis::{ReactionError, ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
-use solaris_model::{Event, Figure, Ground, Interval, Motion, Relief};
+use solaris_model::{Event, Figure, Ground, Interval, Motion, MotionError, Relief};
 use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};
 use std::fmt;
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub struct Scene {
     pub(crate) notes: Vec<String>,
     /// Who walks: of one figure itself, of several each that does.
     pub(crate) walks: Vec<Walked>,
+    /// Of several figures, each.
+    pub(crate) members: Vec<Member>,
     /// The friction of the ground that they walk on, where the scene says it.
     pub(crate) friction: Option<f64>,
 }
@@ -84,6 +86,22 @@ impl Scene {
     /// What is walked, if anything: one walk, or several with standing in between; of several who walk, what the first does.
     pub fn walk(&self) -> Option<&WalkSequence> {
         self.walks.first().map(|walk| &*walk.plan)
+    }
+
+    /// Whether it has several figures.
+    pub fn is_of_several(&self) -> bool {
+        !self.members.is_empty()
+    }
+
+    /// Of a scene with several figures, each with its part of a motion of all, such as [`Simulated::motion`]; of one with a single figure
+    /// nothing.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure.
+    pub fn several(&self, motion: &Motion) -> Result<Vec<OneOfSeveral>, MotionError> {
+        motion.check_figure(self.figure())?;
+        self.members.iter().map(|member| member.in_the_world(motion)).collect()
     }
 
     /// How many degrees of freedom follow a walk.

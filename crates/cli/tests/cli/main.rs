@@ -14,5 +14,6 @@ mod killed;
 mod learn;
 mod limits;
 mod pictures;
+mod several;
 mod studio;
 mod walk;

@@ -141,3 +141,43 @@ fn limbs_of_who_walks_do_what_they_are_told() {
     assert!((at("bob.left_elbow.rx") + std::f64::consts::FRAC_PI_2).abs() < 1e-9 && at("bob.root.tz") > 0.3);
     assert!(at("ann.root.tz").abs() < 1e-12 && told.motion.contact("ann.left_foot").is_none());
 }
+
+/// Each with its part, where its place is: links, contacts and events are those of all.
+#[test]
+fn each_of_several_has_its_part() {
+    let scene = read(
+        &format!(
+            "Scene(version: 1, figures: {{\"ann\": {ANN}, \"bob\": {BOB}}}, walk: {{\"bob\": Walk(steps: 3)}},
+            places: {{\"bob\": (at: (0.8, 0, 3), facing: deg(150))}}, drives: {{\"ann.*\": Frozen}})"
+        ),
+        &mut NoFiles,
+    )
+    .expect("a scene");
+    let motion = scene.simulate(&mut ()).expect("a motion").motion;
+    let all = scene.several(&motion).expect("its own motion");
+    assert!(scene.is_of_several() && all.iter().map(|one| one.name.as_str()).eq(["ann", "bob"]));
+    for one in &all {
+        one.motion.check_figure(&one.figure).expect("its own figure");
+        for frame in (0..motion.len()).step_by(50) {
+            let (whole, own) =
+                (scene.figure().places(motion.q(frame)), one.figure.places(one.motion.q(frame)));
+            for (link, place) in one.figure.links().iter().zip(own) {
+                let same =
+                    scene.figure().link_index(&format!("{}.{}", one.name, link.name())).expect("a link");
+                let off = (whole[same].translation.vector - place.translation.vector).norm();
+                assert!(off < 1e-12 && whole[same].rotation.angle_to(&place.rotation) < 1e-7);
+            }
+            for track in &one.motion.contacts {
+                let of_all = motion.contact(&format!("{}.{}", one.name, track.link)).expect("a contact");
+                assert_eq!(of_all.samples[frame], track.samples[frame]);
+            }
+        }
+    }
+    assert!(all[0].motion.contacts.is_empty() && all[1].motion.contacts.len() == 2);
+    assert_eq!(all[1].motion.events.len(), motion.events.len());
+    let single =
+        read(&format!("Scene(version: 1, figures: {{\"ann\": {ANN}}}, duration: 0.1)"), &mut NoFiles);
+    let single = single.expect("a scene");
+    let motion = single.simulate(&mut ()).expect("a motion").motion;
+    assert!(!single.is_of_several() && single.several(&motion).expect("its own").is_empty());
+}
