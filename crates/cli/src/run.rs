@@ -23,7 +23,7 @@ use solaris::io::rig::Rigged;
 use solaris::model::{Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
-use solaris::view::{FilmOptions, PageOptions, Seen, coordinates, film, page};
+use solaris::view::{FilmOptions, PageOptions, PagePerson, Seen, coordinates, film, page};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use watch::Watcher;
@@ -175,7 +175,9 @@ fn write(
         }
         Format::Html => {
             let (title, table) = (summary::title(report), summary::page_rows(report));
-            let options = PageOptions { title, table, ..PageOptions::default() };
+            let several = scene.several(motion).map_err(CliError::other)?;
+            let people = several.into_iter().map(|one| PagePerson { first: one.first, figure: one.alone });
+            let options = PageOptions { title, table, people: people.collect(), ..PageOptions::default() };
             let html = page(figure, motion, &options).map_err(CliError::other)?;
             writer.write_all(html.as_bytes()).map_err(CliError::other)
         }

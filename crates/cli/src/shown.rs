@@ -48,6 +48,7 @@ impl Shown<'_> {
             angle_bands: self.bands.as_ref().map(|[angles, _]| angles.clone()),
             moment_bands: self.bands.as_ref().map(|[_, moments]| moments.clone()),
             bands: self.bands.iter().map(|_| "two standard errors").collect(),
+            people: Vec::new(),
         };
         page_of(figure, &self.motion()?, &options).map_err(CliError::other)
     }

@@ -9,6 +9,8 @@ use solaris_model::{
 pub struct OneOfSeveral {
     /// What the scene calls it.
     pub name: String,
+    /// Its first link among those of all.
+    pub first: usize,
     /// The figure as it is alone, at the world's origin.
     pub alone: Figure,
     /// The figure where its place is.
@@ -66,7 +68,8 @@ impl Member {
             )?;
         }
         own.events = motion.events.iter().filter_map(|event| self.own_event(event)).collect();
-        Ok(OneOfSeveral { name: self.name.clone(), alone: self.figure.clone(), figure, motion: own })
+        let (name, first, alone) = (self.name.clone(), self.link, self.figure.clone());
+        Ok(OneOfSeveral { name, first, alone, figure, motion: own })
     }
 
     /// Its part of a motion of all, of itself placed as `figure`, with its contacts brought where that has them.

@@ -1,9 +1,14 @@
 //! The skin of a person, as a page holds it.
 
+use crate::PagePerson;
 use crate::pack::{Packed, bytes, floats, ranged, words};
 use serde::Serialize;
 use solaris_model::Figure;
 use solaris_skin::{Detail, Influence, PALETTE, person};
+
+/// The most people who have skins, and the most who have fine ones.
+const MOST: usize = 12;
+const FEW: usize = 2;
 
 /// A skin that goes with the links.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,9 +36,31 @@ impl Body {
     }
 }
 
+/// The skin of one of several people.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct OneBody {
+    /// The first of that person's links.
+    first: usize,
+    #[serde(flatten)]
+    body: Body,
+}
+
+/// The skins of several people; of more than [`MOST`] none, for a page has to be loaded.
+pub(crate) fn bodies(people: &[PagePerson]) -> Vec<OneBody> {
+    let detail = if people.len() > FEW { Detail::Rough } else { Detail::Coarse };
+    let people = people.iter().filter(|_| people.len() <= MOST);
+    people
+        .filter_map(|one| Some(OneBody { first: one.first, body: with_detail(&one.figure, detail)? }))
+        .collect()
+}
+
 /// The skin of a person of our making; none of anything else.
 pub(crate) fn body(figure: &Figure) -> Option<Body> {
-    let skin = person(figure, Detail::Coarse)?;
+    with_detail(figure, Detail::Coarse)
+}
+
+fn with_detail(figure: &Figure, detail: Detail) -> Option<Body> {
+    let skin = person(figure, detail)?;
     // What numbers of 16 and of 8 bits can name.
     if skin.points.len() > 65_535 || figure.links().len() > 256 {
         return None;
@@ -75,6 +102,16 @@ mod tests {
         assert!((150_000..350_000).contains(&size), "{size} bytes");
         let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0);
         assert!(body(&FigureBuilder::new("pendulum").link(bob).build().expect("a figure")).is_none());
+    }
+
+    #[test]
+    fn each_of_several_has_one_unless_there_are_many() {
+        let of = |first| PagePerson { first, figure: human(1.75, 73.0).expect("a person") };
+        let two = bodies(&[of(1), of(22)]);
+        assert_eq!(two.iter().map(|one| one.first).collect::<Vec<_>>(), [1, 22]);
+        assert_eq!(two[0].body, body(&of(1).figure).expect("a body"));
+        assert_eq!(bodies(&vec![of(1); MOST]).len(), MOST);
+        assert!(bodies(&vec![of(1); MOST + 1]).is_empty());
     }
 
     #[test]

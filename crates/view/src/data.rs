@@ -1,7 +1,7 @@
 //! Everything that a page is told, as one object.
 
 use crate::PageOptions;
-use crate::body::{self, Body};
+use crate::body::{self, Body, OneBody};
 use crate::curves::{self, ForceCurves, JointCurves};
 use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
@@ -62,6 +62,9 @@ pub(crate) struct Data {
     /// What is drawn of a person in place of the links' shapes.
     #[serde(skip_serializing_if = "Option::is_none")]
     body: Option<Body>,
+    /// The same of several people.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bodies: Vec<OneBody>,
     /// s.
     time: Packed,
     root: Packed,
@@ -93,7 +96,8 @@ impl Data {
 
 /// Gathers the data, and refuses what cannot be shown.
 pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<Data, ViewError> {
-    Ok(Data { body: body::body(figure), ..collect_bare(figure, motion, options)? })
+    let bodies = body::bodies(&options.people);
+    Ok(Data { body: body::body(figure), bodies, ..collect_bare(figure, motion, options)? })
 }
 
 /// The same without the skin of a person.
@@ -137,6 +141,7 @@ pub(crate) fn collect_bare(
         links,
         skins: skin::skins(figure),
         body: None,
+        bodies: Vec::new(),
         time: floats(samples.iter().map(|&sample| motion.time()[sample])),
         root: floats(from(&frames.root, origin)),
         positions: ranged(&components(&frames.positions)),

@@ -48,6 +48,8 @@ pub struct PageOptions {
     pub table: Vec<TableRow>,
     /// Lines that are drawn on links without a shape of their own, such as soles.
     pub lines: Vec<LinkLine>,
+    /// Of a figure that is several people, or people among others: each with a skin of its own. Of more than a dozen none has one.
+    pub people: Vec<PagePerson>,
     /// Curves beside those of the ground's forces, such as residuals.
     pub curves: Vec<PageCurve>,
     /// Which way is forward (world axes), where it is not z, or x where z is up.
@@ -59,6 +61,15 @@ pub struct PageOptions {
     pub moment_bands: Option<Vec<f64>>,
     /// What the bands are, plain text: "two standard errors". Nothing is said of them where it is empty.
     pub bands: String,
+}
+
+/// One person of a figure that is several.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PagePerson {
+    /// The first of that person's links in the figure.
+    pub first: usize,
+    /// The person alone.
+    pub figure: Figure,
 }
 
 /// A line that goes with a link.

@@ -12,10 +12,14 @@ export function makeBody(first) {
   for (const side of ['left', 'right', 'middle']) {
     materials[side] = new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
   }
-  const links = data.links.map((link) => {
+  // One person's skin has all links, that of one of several theirs.
+  const skins = data.body ? [data.body] : (data.bodies ?? []);
+  const until = ({ first = 0, places }) => first + places.length / 3;
+  const dressed = (link) => skins.some((skin) => link >= (skin.first ?? 0) && link < until(skin));
+  const links = data.links.map((link, index) => {
     const body = makeLink();
     // A person's skin is in place of all shapes.
-    for (const part of data.body ? [] : link.parts) {
+    for (const part of dressed(index) ? [] : link.parts) {
       const mesh = new Mesh(geometry(part), materials[link.side]);
       mesh.position.fromArray(part.at);
       mesh.quaternion.fromArray(part.turn);
@@ -27,9 +31,10 @@ export function makeBody(first) {
     return body;
   });
 
-  const person = data.body && makePerson(data.body, links);
-  if (person) group.add(person.mesh);
-  for (const { parent, child, offset } of data.body ? [] : data.skins) {
+  const people = skins.map((skin) => makePerson(skin, links.slice(skin.first ?? 0, until(skin))));
+  for (const { mesh } of people) group.add(mesh);
+  for (const { parent, child, offset } of data.skins) {
+    if (dressed(parent)) continue;
     const [upper, lower] = [data.links[parent], data.links[child]];
     group.add(makeSkin(upper, lower, [links[parent], links[child]], offset, materials[lower.side]));
   }
@@ -47,7 +52,7 @@ export function makeBody(first) {
     const edges = [Infinity, Infinity, -Infinity, -Infinity];
     group.traverse((mesh) => {
       // Skins between shapes reach nowhere that the shapes do not, and what throws a person's shadow nowhere that the person does not.
-      if (!mesh.isMesh || mesh.isSkinnedMesh || mesh.parent === person?.mesh) return;
+      if (!mesh.isMesh || mesh.isSkinnedMesh || people.some((person) => mesh.parent === person.mesh)) return;
       const { count: corners } = mesh.geometry.attributes.position;
       for (let i = 0; i < corners; i += 1) {
         mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).project(camera);
@@ -69,7 +74,7 @@ export function makeBody(first) {
     },
     paint(theme) {
       for (const [side, material] of Object.entries(materials)) material.color.set(theme.body[side]);
-      person?.paint(theme);
+      for (const person of people) person.paint(theme);
     },
     // Between two frames positions and quaternions are interpolated linearly: the frames are 1/60 s apart or less than
     // that, and successive quaternions never change their sign.
@@ -91,7 +96,7 @@ export function makeBody(first) {
           )
           .normalize();
       });
-      person?.pose();
+      for (const person of people) person.pose();
     },
   };
 }

@@ -23,8 +23,9 @@ export function numbers(array) {
 const line = ({ side, values, spread }) => ({ side, values: numbers(values), spread: spread && numbers(spread) });
 
 // A skin: all arrays but the palette.
-export const readBody = ({ palette, ...arrays }) => ({
+export const readBody = ({ palette, first, ...arrays }) => ({
   palette,
+  first,
   ...Object.fromEntries(Object.entries(arrays).map(([name, array]) => [name, numbers(array)])),
 });
 
@@ -41,6 +42,7 @@ export function readData(text) {
     camera: { half: raw.camera.half, aim: numbers(raw.camera.aim) },
     com: raw.com && numbers(raw.com),
     body: raw.body && readBody(raw.body),
+    bodies: (raw.bodies ?? []).map(readBody),
     feet: raw.feet.map((foot) => ({ ...foot, force: numbers(foot.force), cop: numbers(foot.cop) })),
     joints: raw.joints.map((joint) => ({
       label: joint.label,
