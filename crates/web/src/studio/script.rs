@@ -11,6 +11,7 @@ use solaris::model::{Ground, TextError};
 use solaris::modes::study::{StudyOptions, study};
 use solaris::modes::{EndCondition, Method, Observer, RunPass, Simulation, Step};
 use solaris::scene::{Scene, complete};
+use solaris::view::PagePerson;
 use solaris::view::precision::{page, report};
 use std::path::Path;
 use wasm_bindgen::prelude::*;
@@ -140,7 +141,10 @@ impl Script {
         let done = scene.simulate(&mut Telling { tell }).map_err(failed)?;
         let report = serde_json::to_string(&done.report).map_err(failed)?;
         let remarks = done.report.remarks.iter().map(ToString::to_string).collect();
-        let shown = Shown::new(self.figure()?, done.motion, scene.name().to_owned());
+        let several = scene.several(&done.motion).map_err(failed)?;
+        let people = several.into_iter().map(|one| PagePerson { first: one.first, figure: one.alone });
+        let mut shown = Shown::new(self.figure()?, done.motion, scene.name().to_owned());
+        shown.options.people = people.collect();
         Ok(Ran { shown: Some(shown), report, remarks })
     }
 
