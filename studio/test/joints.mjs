@@ -192,7 +192,8 @@ test('drives follow one another in a row that is written by keys and clicks', as
   assert.match(await part.locator('.written').innerText(), /^Sum\(\[Torque/);
   await part.locator('.bar-of').press('Delete');
   await page.waitForFunction(() => !studio.document.text.includes('Sum'));
-  assert.equal(await part.locator('.bar-of').innerText(), 'Frozen');
+  // The row is drawn after the text.
+  await part.locator('.bar-of', { hasText: /^Frozen$/ }).waitFor();
 
   await choose(page, 'left_elbow.rx', 'Free');
   await part.getByLabel('Until').selectOption('Passes');
