@@ -60,7 +60,7 @@ fn whatever_falls_into_its_limits_comes_to_an_end_and_gains_no_energy() {
 }
 
 #[test]
-#[ignore = "a thousand figures: minutes"]
+#[ignore = "a thousand figures: cargo xtask nightly"]
 fn a_thousand_figures_fall_into_their_limits() {
     falls(0..1000);
 }
