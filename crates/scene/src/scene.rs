@@ -52,6 +52,17 @@ pub struct Simulated {
     pub reactions: Option<ReactionReport>,
 }
 
+impl Walked {
+    /// What the ground does under the feet of who walks, into the motion of all.
+    fn reactions(&self, figure: &Figure, motion: &mut Motion) -> Result<ReactionReport, ReactionError> {
+        let Some(member) = &self.of else { return ground_reactions(figure, motion, FEET, &*self.plan) };
+        let mut part = member.part(motion)?;
+        let own = ground_reactions(&member.figure, &mut part, FEET, &*self.plan)?;
+        member.put_back(&part, motion)?;
+        Ok(own)
+    }
+}
+
 impl Scene {
     /// What the scene calls its figure.
     pub fn name(&self) -> &str {
@@ -144,14 +155,15 @@ impl Scene {
         motion.relief.clone_from(&self.walks[0].relief);
         let mut reactions: Option<ReactionReport> = None;
         for walk in &self.walks {
-            let own = match &walk.of {
-                None => ground_reactions(self.figure(), &mut motion, FEET, &*walk.plan)?,
-                Some(member) => {
-                    let mut part = member.part(&motion).map_err(ReactionError::from)?;
-                    let own = ground_reactions(&member.figure, &mut part, FEET, &*walk.plan)?;
-                    member.put_back(&part, &mut motion).map_err(ReactionError::from)?;
-                    own
+            let own = match walk.reactions(self.figure(), &mut motion) {
+                // What somebody walks into may lift a leg in a frame, and the rest of the motion is as it is.
+                Err(error @ ReactionError::Pulls { .. }) if !report.collisions.is_empty() => {
+                    let who = walk.of.as_ref().map_or("who walks", |member| &member.name);
+                    let note = format!("what the ground does under the feet of {who} is not told: {error}");
+                    report.remarks.push(Remark::Said(note));
+                    continue;
                 }
+                found => found?,
             };
             reactions = Some(match reactions {
                 Some(before) => before.worst(&own),

@@ -1,6 +1,7 @@
 //! A planned walk, or several with standing in between, that the figure follows where nothing else drives it.
 
 use super::drives::Given;
+use super::names::matches;
 use super::segments::Written;
 use super::{GRAVITY, SceneReader};
 use crate::member::Member;
@@ -142,7 +143,7 @@ impl SceneReader<'_> {
         Some(Planned { walks, recorded, duration })
     }
 
-    /// Who walks, and what: the only figure, or those that are named, `{"ann": Walk(…), "bo": [Walk(…), Stand(time: 2)]}`. Of a name that
+    /// Who walks, and what: the only figure, or those that are named, `{"ann": Walk(…), "crowd*": [Walk(…), Stand(time: 2)]}`. Of a name that
     /// cannot walk nothing.
     fn walkers<'n, 'a>(
         &mut self,
@@ -169,28 +170,26 @@ impl SceneReader<'_> {
         for (key, value) in entries {
             let Some(name) = self.reader.name(key, "the name of a figure") else { continue };
             self.reader.expect(&key.span, ExpectedKind::Name, "figure", names.iter().copied());
-            let found = names.iter().position(|other| *other == name);
-            let is_twice = taken.contains(&name);
-            taken.push(name);
-            let of = match found {
-                Some(_) if is_twice => {
-                    self.reader.fault(key.span.clone(), format!("'{name}' has two walks; keep one of them"));
-                    Who::Nobody
+            let found: Vec<usize> = (0..names.len()).filter(|at| matches(name, names[*at])).collect();
+            // Without figures no name means anything yet.
+            if found.is_empty() && !names.is_empty() {
+                let message = format!("there is no figure '{name}'");
+                self.reader.unknown_name(key.span.clone(), &message, name, names.iter().copied());
+            }
+            for at in found {
+                if taken.contains(&at) {
+                    let twice = names[at];
+                    self.reader.fault(key.span.clone(), format!("'{twice}' has two walks; keep one of them"));
+                    continue;
                 }
-                Some(at) => match members.get(at) {
+                taken.push(at);
+                let of = match members.get(at) {
                     Some(member) if self.on_level(key, member, is_level) => Who::Member(at),
                     Some(_) => Who::Nobody,
                     None => Who::Only,
-                },
-                // Without figures no name means anything yet.
-                None if names.is_empty() => Who::Nobody,
-                None => {
-                    let message = format!("there is no figure '{name}'");
-                    self.reader.unknown_name(key.span.clone(), &message, name, names.iter().copied());
-                    Who::Nobody
-                }
-            };
-            walkers.push((value, of));
+                };
+                walkers.push((value, of));
+            }
         }
         if entries.is_empty() {
             self.reader

@@ -181,3 +181,28 @@ fn each_of_several_has_its_part() {
     let motion = single.simulate(&mut ()).expect("a motion").motion;
     assert!(!single.is_of_several() && single.several(&motion).expect("its own").is_empty());
 }
+
+#[test]
+fn a_pattern_lets_a_crowd_walk() {
+    let told = run(
+        "Scene(version: 1, figures: {\"c\": Crowd(count: 3, seed: 2, apart: 1.5)}, walk: {\"c*\": Walk(steps: 2)})",
+    );
+    for who in ["c1", "c2", "c3"] {
+        assert!(told.motion.contact(&format!("{who}.left_foot")).is_some(), "{who}");
+    }
+    let twice = "Scene(version: 1, figures: {\"c\": Crowd(count: 2)}, walk: {\"c*\": Walk(steps: 2), \"c2\": Walk(steps: 3)})";
+    let error = read(twice, &mut NoFiles).expect_err("twice").to_string();
+    assert!(error.contains("'c2' has two walks"), "{error}");
+}
+
+/// Who walks into somebody who falls would be lifted for a frame: the run is there, and says what is not.
+#[test]
+fn whom_a_blow_would_lift_is_noted() {
+    let told = run("Scene(version: 1, figures: {\"a\": Human(height: 1.7, mass: 60), \"b\": Human(height: 1.5, mass: 50, joints: Limp)},
+        walk: {\"a\": Walk(steps: 4)}, places: {\"b\": (at: (0.1, 0, 1.2))}, start: {\"b.root\": (at: (0, 0.95, 0))},
+        ground: Flat(friction: 0.8, contact: Rigid), collisions: Collisions(friction: 0.5))");
+    let notes: Vec<String> = told.report.remarks.iter().map(ToString::to_string).collect();
+    assert!(notes.iter().any(|note| note.contains("under the feet of a is not told")), "{notes:?}");
+    assert!(told.reactions.is_none());
+    assert!(told.motion.len() > 100);
+}
