@@ -10,11 +10,11 @@ use solaris::io::rig::{Rig, RigMap, Rigged};
 use solaris::io::usd;
 use solaris::model::{Figure, Motion};
 use solaris::scene::OneOfSeveral;
-use solaris::skin::{person, skin};
+use solaris::skin::{parts, skin};
 use std::io::Write;
 use std::path::Path;
 
-/// Of more figures than these the skins are rough.
+/// Of more people than these the skins are rough.
 const FEW: usize = 4;
 
 /// What an animation file is to have.
@@ -106,10 +106,12 @@ pub(crate) struct Person {
 /// The figures of a scene in one file, people with their skin, and one clip that moves them; on the bones of a rig those that are people.
 pub(crate) fn scene(all: &[OneOfSeveral], bones: &Bones, mut writer: &mut dyn Write) -> Result<(), CliError> {
     let options = Options { forces: bones.arrows, ..Options::default() };
-    let detail = if all.len() > FEW { Detail::Rough } else { Detail::default() };
-    let dressed = all.par_iter().map(|OneOfSeveral { alone, figure, motion, .. }| {
-        let is_person = person(alone, Detail::Rough).is_some();
-        let Some(rig) = bones.rig.as_ref().filter(|_| is_person) else {
+    let is_person = |one: &OneOfSeveral| !parts(&one.alone).is_empty();
+    let many = all.iter().filter(|one| is_person(one)).count() > FEW;
+    let detail = if many { Detail::Rough } else { Detail::default() };
+    let dressed = all.par_iter().map(|one| {
+        let OneOfSeveral { alone, figure, motion, .. } = one;
+        let Some(rig) = bones.rig.as_ref().filter(|_| is_person(one)) else {
             return Ok((figure.clone(), motion.clone(), skin(alone, detail)));
         };
         let on = Rigged::new(alone, rig).map_err(CliError::other)?;

@@ -6,8 +6,8 @@ use nalgebra::Quaternion;
 use solaris_model::{Placement, UnitQuaternion, Vector3};
 
 impl Take {
-    /// The mirror image of the motion in the plane between left and right through its world's origin: who turned left turns right, and whoever
-    /// bones and rest pose are, the left ones are their mirror images of the right.
+    /// The mirror image of the motion, and of the skeleton that it is of, in the plane between left and right through its world's origin: who
+    /// turned left turns right, and what the left bones did the right ones do.
     ///
     /// ```text
     /// x → M·x        R → M·R·M        M = diag(−1, 1, 1) where x points left

@@ -4,7 +4,7 @@ use crate::PagePerson;
 use crate::pack::{Packed, bytes, floats, ranged, words};
 use serde::Serialize;
 use solaris_model::Figure;
-use solaris_skin::{Detail, Influence, PALETTE, person};
+use solaris_skin::{Detail, Influence, PALETTE, parts, person};
 
 /// The most people who have skins, and the most who have fine ones.
 const MOST: usize = 12;
@@ -47,9 +47,14 @@ pub(crate) struct OneBody {
 
 /// The skins of several people; of more than [`MOST`] none, for a page has to be loaded.
 pub(crate) fn bodies(people: &[PagePerson]) -> Vec<OneBody> {
+    // What else is there has no parts of a body, and counts for nothing.
+    let people: Vec<&PagePerson> = people.iter().filter(|one| !parts(&one.figure).is_empty()).collect();
+    if people.len() > MOST {
+        return Vec::new();
+    }
     let detail = if people.len() > FEW { Detail::Rough } else { Detail::Coarse };
-    let people = people.iter().filter(|_| people.len() <= MOST);
     people
+        .into_iter()
         .filter_map(|one| Some(OneBody { first: one.first, body: with_detail(&one.figure, detail)? }))
         .collect()
 }
@@ -112,6 +117,13 @@ mod tests {
         assert_eq!(two[0].body, body(&of(1).figure).expect("a body"));
         assert_eq!(bodies(&vec![of(1); MOST]).len(), MOST);
         assert!(bodies(&vec![of(1); MOST + 1]).is_empty());
+        // One among many boxes is one person, as fine as alone.
+        let link = LinkSpec::root("box", Joint::free("flight")).mass(1.0);
+        let figure = FigureBuilder::new("box").link(link).build().expect("a figure");
+        let boxes = (0..2 * MOST).map(|i| PagePerson { first: 22 + i, figure: figure.clone() });
+        let among: Vec<PagePerson> = std::iter::once(of(1)).chain(boxes).collect();
+        assert_eq!(bodies(&among), bodies(&[of(1)]));
+        assert_eq!(bodies(&among).len(), 1);
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub struct PageOptions {
     pub table: Vec<TableRow>,
     /// Lines that are drawn on links without a shape of their own, such as soles.
     pub lines: Vec<LinkLine>,
-    /// Of a figure that is several people, or people among others: each with a skin of its own. Of more than a dozen none has one.
+    /// The parts of a figure that is several: those that are people have skins of their own, unless they are more than a dozen.
     pub people: Vec<PagePerson>,
     /// Curves beside those of the ground's forces, such as residuals.
     pub curves: Vec<PageCurve>,
@@ -63,12 +63,12 @@ pub struct PageOptions {
     pub bands: String,
 }
 
-/// One person of a figure that is several.
+/// One of the figures that a figure is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PagePerson {
-    /// The first of that person's links in the figure.
+    /// The first of its links in the whole.
     pub first: usize,
-    /// The person alone.
+    /// The figure alone.
     pub figure: Figure,
 }
 
