@@ -58,12 +58,26 @@ const ASIDE: f64 = 0.05;
 /// ```
 #[doc(alias = "inverse kinematics")]
 #[doc(alias = "IK")]
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Reach {
     tree: Tree<f64>,
     workspace: Workspace<f64>,
     tip: Frame<f64>,
     unknowns: Vec<Unknown>,
+    /// For each degree of freedom of the figure, which unknown it is.
+    unknown_of: Vec<Option<usize>>,
+    room: Room,
+}
+
+/// Room for the steps: with `n` unknowns, 3 × `n`, `n` × `n` twice, `n` and `nq`.
+#[derive(Clone, Debug)]
+struct Room {
+    jacobian: DMatrix<f64>,
+    normal: DMatrix<f64>,
+    damped: DMatrix<f64>,
+    slope: DVector<f64>,
+    step: DVector<f64>,
+    next: Vec<f64>,
 }
 
 /// A coordinate that may be moved.
@@ -158,7 +172,23 @@ impl Reach {
             return Err(ReachError::NothingMoves { link: figure.links()[link].name().to_owned() });
         }
         let tree = Tree::new(figure, Vector3::zeros())?;
-        Ok(Self { workspace: Workspace::new(&tree), tree, tip: Frame::at(link, point), unknowns })
+        let n = unknowns.len();
+        let unknown_of = (0..layout.nv()).map(|dof| unknowns.iter().position(|known| known.dof == dof));
+        Ok(Self {
+            workspace: Workspace::new(&tree),
+            tip: Frame::at(link, point),
+            unknown_of: unknown_of.collect(),
+            room: Room {
+                jacobian: DMatrix::zeros(3, n),
+                normal: DMatrix::zeros(n, n),
+                damped: DMatrix::zeros(n, n),
+                slope: DVector::zeros(n),
+                step: DVector::zeros(n),
+                next: vec![0.0; tree.nq()],
+            },
+            tree,
+            unknowns,
+        })
     }
 
     /// Where the point is (m, world) in a configuration, and how its link is turned.
@@ -183,11 +213,7 @@ impl Reach {
     ///
     /// As for [`pose`](Self::pose).
     pub fn solve(&mut self, q: &mut [f64], target: &Goal) -> Result<Reached, ReachError> {
-        for unknown in &self.unknowns {
-            let entry = &mut q[unknown.coordinate];
-            *entry = entry.clamp(unknown.lower, unknown.upper);
-        }
-        let mut best = self.descend(q, target)?;
+        let mut best = self.follow(q, target, MOST_STEPS)?;
         let mut sides = [1.0, -1.0].into_iter();
         while best.off > REACHED
             && let Some(side) = sides.next()
@@ -198,7 +224,7 @@ impl Reach {
                 let entry = &mut aside[unknown.coordinate];
                 *entry = (*entry + way).clamp(unknown.lower, unknown.upper);
             }
-            let other = self.descend(&mut aside, target)?;
+            let other = self.descend(&mut aside, target, MOST_STEPS)?;
             let steps = best.steps + other.steps;
             // Where nothing nearer is found it stays as it was.
             if other.off < best.off - 0.01 * REACHED.max(best.off) {
@@ -210,55 +236,47 @@ impl Reach {
         Ok(best)
     }
 
+    /// The same from a solution of a moment ago, by so many steps at most: without looking for a way out of places from which no small step leads
+    /// on, and without allocating. What follows a target that moves takes two or three steps a frame.
+    ///
+    /// # Errors
+    ///
+    /// As for [`pose`](Self::pose).
+    pub fn follow(
+        &mut self,
+        q: &mut [f64],
+        target: &Goal,
+        most_steps: usize,
+    ) -> Result<Reached, ReachError> {
+        for unknown in &self.unknowns {
+            let entry = &mut q[unknown.coordinate];
+            *entry = entry.clamp(unknown.lower, unknown.upper);
+        }
+        self.descend(q, target, most_steps)
+    }
+
     /// Steps that lower the distance, until none does.
-    fn descend(&mut self, q: &mut [f64], target: &Goal) -> Result<Reached, ReachError> {
-        let n = self.unknowns.len();
+    fn descend(&mut self, q: &mut [f64], target: &Goal, most_steps: usize) -> Result<Reached, ReachError> {
         let mut damping = 1e-6;
-        let (mut jacobian, mut next) = (DMatrix::zeros(3, n), q.to_vec());
-        let mut off = self.columns(q, target, &mut jacobian)?;
-        for steps in 0..MOST_STEPS {
+        let mut off = self.columns(q, target)?;
+        for steps in 0..most_steps {
             if off.norm() <= 1e-3 * REACHED {
                 return Ok(Reached { off: off.norm(), steps });
             }
-            let gradient = jacobian.transpose() * off;
-            // What is at a limit and would go beyond it stays.
-            let is_free = |(i, unknown): (usize, &Unknown)| {
-                let x = q[unknown.coordinate];
-                !((x <= unknown.lower && gradient[i] < 0.0) || (x >= unknown.upper && gradient[i] > 0.0))
-            };
-            let free: Vec<usize> =
-                self.unknowns.iter().enumerate().filter(|x| is_free(*x)).map(|(i, _)| i).collect();
-            let few = jacobian.select_columns(&free);
-            let slope = DVector::from_iterator(free.len(), free.iter().map(|i| gradient[*i]));
-            let normal = few.transpose() * &few;
-            let scale = normal.diagonal().iter().fold(0.0, |most: f64, x| most.max(*x));
-            if free.is_empty() || scale <= 0.0 || slope.amax() <= 1e-15 * scale.sqrt() * off.norm() {
+            let scale = self.set_up(q, &off);
+            if scale <= 0.0 || self.room.slope.amax() <= 1e-15 * scale.sqrt() * off.norm() {
                 return Ok(Reached { off: off.norm(), steps });
             }
             let before = off.norm_squared();
             let mut taken = false;
             while damping <= DAMPING.1 {
-                let mut damped = normal.clone();
-                for i in 0..free.len() {
-                    damped[(i, i)] += damping.max(DAMPING.0) * scale;
-                }
-                let Some(mut step) = Cholesky::new(damped).map(|root| root.solve(&slope)) else {
+                if !self.try_step(q, damping.max(DAMPING.0) * scale) {
                     damping *= 10.0;
                     continue;
-                };
-                let longest = step.amax();
-                if longest > STRIDE {
-                    step *= STRIDE / longest;
                 }
-                next.copy_from_slice(q);
-                for (i, way) in free.iter().zip(step.iter()) {
-                    let unknown = &self.unknowns[*i];
-                    let entry = &mut next[unknown.coordinate];
-                    *entry = (*entry + way).clamp(unknown.lower, unknown.upper);
-                }
-                let after = self.columns(&next, target, &mut jacobian)?;
+                let after = self.columns_of_next(target)?;
                 if after.norm_squared() < before {
-                    q.copy_from_slice(&next);
+                    q.copy_from_slice(&self.room.next);
                     off = after;
                     damping = (0.1 * damping).max(DAMPING.0);
                     taken = true;
@@ -271,22 +289,65 @@ impl Reach {
                 return Ok(Reached { off: off.norm(), steps: steps + 1 });
             }
         }
-        Ok(Reached { off: off.norm(), steps: MOST_STEPS })
+        Ok(Reached { off: off.norm(), steps: most_steps })
+    }
+
+    /// Sets up `Jᵀ·J` and `Jᵀ·e` at `q`, and gives the greatest diagonal. What is at a limit and would go beyond it stays: its column is zero.
+    fn set_up(&mut self, q: &[f64], off: &Vector3<f64>) -> f64 {
+        let Room { jacobian, normal, slope, .. } = &mut self.room;
+        jacobian.tr_mul_to(off, slope);
+        for (i, unknown) in self.unknowns.iter().enumerate() {
+            let x = q[unknown.coordinate];
+            if (x <= unknown.lower && slope[i] < 0.0) || (x >= unknown.upper && slope[i] > 0.0) {
+                jacobian.column_mut(i).fill(0.0);
+                slope[i] = 0.0;
+            }
+        }
+        jacobian.tr_mul_to(&*jacobian, normal);
+        (0..self.unknowns.len()).fold(0.0, |most, i| normal[(i, i)].max(most))
+    }
+
+    /// Writes where `(Jᵀ·J + λ·E)·Δq = Jᵀ·e` leads from `q`, no farther than the limits; `false` where it is no system.
+    fn try_step(&mut self, q: &[f64], damping: f64) -> bool {
+        let Room { normal, damped, slope, step, next, .. } = &mut self.room;
+        damped.copy_from(normal);
+        for i in 0..self.unknowns.len() {
+            damped[(i, i)] += damping;
+        }
+        let Some(root) = Cholesky::new(std::mem::take(damped)) else {
+            *damped = normal.clone();
+            return false;
+        };
+        step.copy_from(slope);
+        root.solve_mut(step);
+        *damped = root.unpack_dirty();
+        let longest = step.amax();
+        if longest > STRIDE {
+            *step *= STRIDE / longest;
+        }
+        next.copy_from_slice(q);
+        for (unknown, way) in self.unknowns.iter().zip(step.iter()) {
+            let entry = &mut next[unknown.coordinate];
+            *entry = (*entry + way).clamp(unknown.lower, unknown.upper);
+        }
+        true
+    }
+
+    fn columns_of_next(&mut self, target: &Goal) -> Result<Vector3<f64>, ReachError> {
+        let next = std::mem::take(&mut self.room.next);
+        let off = self.columns(&next, target);
+        self.room.next = next;
+        off
     }
 
     /// What is missing to the goal, and how each unknown takes it away.
-    fn columns(
-        &mut self,
-        q: &[f64],
-        target: &Goal,
-        jacobian: &mut DMatrix<f64>,
-    ) -> Result<Vector3<f64>, ReachError> {
+    fn columns(&mut self, q: &[f64], target: &Goal) -> Result<Vector3<f64>, ReachError> {
         let pose = self.pose(q)?;
-        jacobian.fill(0.0);
-        let unknowns = &self.unknowns;
-        point_columns(&self.tree, &self.workspace, &self.tip, |dof, column| {
-            if let Some(i) = unknowns.iter().position(|unknown| unknown.dof == dof) {
-                jacobian.set_column(i, &target.column(&pose, &column));
+        let Self { tree, workspace, tip, unknown_of, room, .. } = self;
+        room.jacobian.fill(0.0);
+        point_columns(tree, workspace, tip, |dof, column| {
+            if let Some(i) = unknown_of[dof] {
+                room.jacobian.set_column(i, &target.column(&pose, &column));
             }
         });
         Ok(target.missing(&pose))

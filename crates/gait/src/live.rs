@@ -5,12 +5,13 @@ mod beat;
 mod command;
 mod ease;
 mod footholds;
-mod free;
+mod forces;
 mod loose;
 mod paces;
 mod print;
 mod push;
 mod step;
+mod told;
 mod tried;
 mod walker;
 

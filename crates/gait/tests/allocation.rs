@@ -6,6 +6,7 @@
 )]
 
 use nalgebra::Vector3;
+use solaris_analysis::Goal;
 use solaris_gait::{Command, Walker};
 use solaris_model::{Human, RootOrder};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -56,6 +57,15 @@ fn frames_allocate_nothing() {
     for joint in ["left_elbow", "head"] {
         walker.loosen(joint).expect("a joint");
     }
+    // To reach and to be asked for forces as well.
+    let palm = Vector3::new(0.0, -0.08, 0.0);
+    let reach = |walker: &mut Walker, at: f64| {
+        let goal = Goal::Place(walker.com() + Vector3::new(-0.3 - at, 0.1, 0.2 + at));
+        walker.reach("right_hand", palm, &[], goal).expect("a reach");
+    };
+    reach(&mut walker, 0.0);
+    walker.step(1.0 / 60.0, &Command::stop()).expect("a frame");
+    walker.forces(&mut v).expect("slices");
     let before = ALLOCATIONS.with(Cell::get);
     for k in 0..2000 {
         let angle = 0.01 * f64::from(k);
@@ -71,8 +81,11 @@ fn frames_allocate_nothing() {
             walker.tighten("left_elbow").expect("a joint");
         }
         push(&mut walker, 40.0 * angle.cos());
+        // Out of reach at times.
+        reach(&mut walker, 0.3 * angle.sin());
         walker.step(1.0 / 60.0, &command).expect("a frame");
         walker.derivatives(&mut v, &mut a).expect("slices");
+        walker.forces(&mut v).expect("slices");
     }
     assert_eq!(ALLOCATIONS.with(Cell::get) - before, 0);
 }

@@ -10,6 +10,7 @@ use crate::smooth::Style;
 use crate::smooth::laws::{self, Swings};
 use crate::walking::G;
 use nalgebra::Vector3;
+use solaris_analysis::FootSupport;
 use solaris_profiles::step;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -206,6 +207,28 @@ impl Beat {
         let along = middle + self.roll * (along - middle);
         let plane = &paces.plane;
         self.feet[side].print.world(side, &(plane.forward * along + plane.left * outward))
+    }
+
+    /// The share and the centre of pressure of each foot (left, right) by the law, for a body that presses at `at` (x, z).
+    pub(super) fn supports(&self, paces: &Paces, t: f64, at: [f64; 2]) -> [FootSupport; 2] {
+        let middle = paces.plane.forward * (paces.standing.com.z / paces.plane.forward.z);
+        let stood = |side: usize| self.feet[side].print.world(side, &middle);
+        let place = |side: usize| match self.kind {
+            Kind::Stand => stood(side),
+            _ if side == self.leading => self.pressed(paces, side, self.leading_clock(t)),
+            _ => self.pressed(paces, side, self.trailing_clock(t)),
+        };
+        let cop = [place(0), place(1)];
+        let apart = cop[1] - cop[0];
+        let right = if self.walks() {
+            let share = self.share(t).clamp(0.0, 1.0);
+            if self.leading == 1 { share } else { 1.0 - share }
+        } else {
+            // Who stands bears the load with the foot that is nearer.
+            let way = Vector3::new(at[0], 0.0, at[1]) - cop[0];
+            (way.dot(&apart) / apart.norm_squared()).clamp(0.0, 1.0)
+        };
+        [FootSupport::level(1.0 - right, cop[0]), FootSupport::level(right, cop[1])]
     }
 
     /// The centre of pressure by the law, and with what the angular momentum does to it (x, z): `P + (−Ḣ_z, Ḣ_x)/F_y`.

@@ -50,6 +50,8 @@ pub(super) struct Step {
     pub(super) shifts: Shifts,
     /// Of the pitches of foot and toes that push off.
     pitch: Ease<2>,
+    /// Of what the hips add to the pitch of the foot that pushes off.
+    risen: Ease<1>,
     way: Way,
     pub(super) lowered: [f64; HATS],
     swing: Swing,
@@ -63,6 +65,8 @@ pub(super) struct Before {
     numbers: Jets<NUMBERS>,
     pub(super) pressure: [f64; 2],
     pitch: [Jets<2>; 2],
+    /// Pitches of the feet with what the hips add.
+    risen: [Jets<1>; 2],
 }
 
 /// A posture on the way to coordinates.
@@ -80,6 +84,7 @@ impl Step {
             pressure: Ease::NONE,
             shifts: Shifts::default(),
             pitch: Ease::NONE,
+            risen: Ease::NONE,
             way: Way::resting(beat.stands_at),
             lowered: [0.0; HATS],
             swing: Swing::NONE,
@@ -101,6 +106,7 @@ impl Step {
             numbers: jets(t, |t| self.numbers(paces, t)),
             pressure: self.pressure(paces, t),
             pitch: [0, 1].map(|side| jets(t, |t| self.pitches(paces, side, t))),
+            risen: [0, 1].map(|side| jets(t, |t| self.risen(paces, side, t))),
         }
     }
 
@@ -108,13 +114,16 @@ impl Step {
     pub(super) fn made(
         mut self,
         paces: &Paces,
-        from: [f64; 2],
+        before: &Before,
         (pulls, bounded): (&Pulls, &[Bounded; NODES + 1]),
         shifts: Shifts,
     ) -> Self {
         self.shifts = shifts;
-        self.way = Way::new(from, self.beat.time, pulls, bounded, &shifts);
+        self.way = Way::new(before.com[0], self.beat.time, pulls, bounded, &shifts);
         if self.beat.walks() {
+            let side = self.beat.trailing();
+            let law = jets(0.0, |t| self.risen(paces, side, t));
+            self.risen = Ease::of_rates(&before.risen[side], &law, self.beat.lift);
             self.swing(paces);
         }
         self.lower(paces);
@@ -203,6 +212,12 @@ impl Step {
         [pitch, toes]
     }
 
+    /// Pitch of a foot on the ground for the hips as they are then.
+    fn risen(&self, paces: &Paces, side: usize, t: f64) -> [f64; 1] {
+        let hip = self.beat.feet[side].print.local(side, &self.hips(paces, t).1[side]);
+        [self.grounded(paces, side, t, &hip).1]
+    }
+
     /// Ankle of a foot on the ground, and its pitches, in its print's frame, for the hip there.
     pub(super) fn grounded(
         &self,
@@ -226,6 +241,9 @@ impl Step {
             let needed = sole.pitch_on_ball(hip, &ball, knee) - pitch;
             let may = step::quintic((clock - RISES.1) / (RISES.2 - RISES.1)).position;
             pitch += may * not_below_zero(needed, RISES.0);
+            if !bears {
+                pitch = (pitch + self.risen.of(0, t)).max(0.0);
+            }
             pitch = STEEPEST.0 - not_below_zero(STEEPEST.0 - pitch, STEEPEST.1);
         }
         (sole.ankle_on_ball(&ball, pitch), pitch, toes)
@@ -268,11 +286,11 @@ impl Step {
         if beat.walks() {
             // A leg that swings, or is about to, draws its foot up instead, until shortly before it lands.
             let side = beat.trailing();
-            down[side] *= 1.0 - step::quintic(t / (LEAVES * beat.lift)).position;
-            let down = down[0].max(down[1]);
             let x = (t - beat.lift) / (beat.time - beat.lift);
-            feet[side].0.y +=
-                (short[side] - down).max(0.0) * (1.0 - step::quintic((x - DRAWN.0) / DRAWN.1).position);
+            let lands = step::quintic((x - DRAWN.0) / DRAWN.1).position;
+            down[side] *= 1.0 - step::quintic(t / (LEAVES * beat.lift)).position + lands;
+            let down = down[0].max(down[1]);
+            feet[side].0.y += (short[side] - down).max(0.0) * (1.0 - lands);
         }
         let down = down[0].max(down[1]);
         pelvis.y -= down;

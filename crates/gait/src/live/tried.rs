@@ -94,7 +94,7 @@ impl Tried {
     }
 
     pub(super) fn finished(self, paces: &Paces, before: &Before) -> (Step, Course, Bends) {
-        let step = self.step.made(paces, before.com[0], (&self.pulls, &self.bounded), self.shifts);
+        let step = self.step.made(paces, before, (&self.pulls, &self.bounded), self.shifts);
         (step, self.course, self.bent)
     }
 }

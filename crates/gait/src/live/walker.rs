@@ -4,19 +4,22 @@ use super::beat::Foot;
 use super::command::{Command, ahead};
 use super::ease::{Jets, jets};
 use super::footholds::{Bends, Bent, Course};
-use super::free::Freed;
+use super::forces::Forces;
 use super::loose::Limbs;
 use super::paces::Paces;
 use super::print::{Print, sign};
 use super::push::Pushed;
 use super::step::Step;
+use super::told::Told;
 use super::tried::Tried;
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, LiveError};
 use nalgebra::Vector3;
+use solaris_analysis::Goal;
 use solaris_dynamics::Wrench;
-use solaris_model::{Figure, RootOrder};
+use solaris_model::{Contact, Figure, RootOrder};
+use solaris_modes::RecordedMotion;
 use std::sync::Arc;
 
 /// The longest frame (s).
@@ -60,13 +63,17 @@ pub struct Walker {
     time: f64,
     course: Course,
     bent: Bends,
-    freed: Freed,
+    /// What nothing is told of yet, and what something is.
+    own: Arc<Told>,
+    told: Option<Box<Told>>,
     /// What nothing hangs from yet, and what does.
     tight: Arc<Limbs>,
     limbs: Option<Box<Limbs>>,
     /// Nobody who is pushed, and what is left of a push.
     alone: Arc<Pushed>,
     pushed: Option<Box<Pushed>>,
+    /// What has been asked for forces.
+    forces: Option<Box<Forces>>,
     q: Vec<f64>,
     /// Room for another posture.
     scratch: Vec<f64>,
@@ -87,7 +94,7 @@ impl Walker {
             return Err(LiveError::Root { figure: figure.name().to_owned() }.into());
         }
         let nq = body.nq;
-        let freed = Freed::new(figure, &body);
+        let own = Arc::new(Told::new(figure, &body));
         let tight = Arc::new(Limbs::new(figure, &body)?);
         let alone = Arc::new(Pushed::new(figure, &body)?);
         let paces = Arc::new(Paces::new(body)?);
@@ -116,11 +123,13 @@ impl Walker {
             time: beat.time,
             course,
             bent: Bends::default(),
-            freed,
+            own,
+            told: None,
             tight,
             limbs: None,
             alone,
             pushed: None,
+            forces: None,
             q: vec![0.0; nq],
             scratch: vec![0.0; nq],
         };
@@ -139,7 +148,6 @@ impl Walker {
         }
         command.check()?;
         self.time += dt;
-        self.freed.step(dt);
         let command = &self.felt(dt, command);
         if self.step.beat.walks() {
             if self.time >= self.step.beat.time {
@@ -171,14 +179,22 @@ impl Walker {
                 return Err(LiveError::Length { given, wanted: n });
             }
         }
-        self.walked(v, a);
-        if let Some(pushed) = &self.pushed {
-            pushed.write_derivatives(v, a);
-        }
+        self.meant(v, a);
         if let Some(limbs) = &self.limbs {
             limbs.write_derivatives(v, a);
         }
         Ok(())
+    }
+
+    /// The same without what hangs.
+    fn meant(&mut self, v: &mut [f64], a: &mut [f64]) {
+        self.walked(v, a);
+        if let Some(pushed) = &self.pushed {
+            pushed.write_derivatives(v, a);
+        }
+        if let Some(told) = &self.told {
+            told.write_derivatives(v, a);
+        }
     }
 
     /// The same of the walk alone.
@@ -216,6 +232,43 @@ impl Walker {
         [self.course.center.x, self.course.center.z]
     }
 
+    /// What the last frame asks of the ground and of the joints, by the laws of Newton and Euler: the force of the ground on each foot (left, right), about the world's
+    /// origin, and in `tau` (`nv`) the forces of the degrees of freedom (N m, N). With loads, clips, reaches, what hangs loose and pushes as they are shown.
+    ///
+    /// The feet's sum is the motion's own; between them it is split as in a planned walk, by the plan's shares ([`split_at_pivot`](solaris_analysis::split_at_pivot)), so that the
+    /// root bears nothing but rounding. Each foot is pressed where that asks for, which outside of steady steps may lie beside its sole: see docs/live.md for how
+    /// far. Where a frame would have to be held down, both forces are zero and what is missing stands at the root.
+    ///
+    /// The first call makes room; the ones after it allocate nothing.
+    ///
+    /// # Errors
+    ///
+    /// A slice of another length.
+    #[doc(alias = "grf")]
+    #[doc(alias = "inverse dynamics")]
+    #[doc(alias = "torques")]
+    pub fn forces(&mut self, tau: &mut [f64]) -> Result<[Contact; 2], LiveError> {
+        let wanted = self.q.len();
+        if tau.len() != wanted {
+            return Err(LiveError::Length { given: tau.len(), wanted });
+        }
+        let refused = |error: String| LiveError::Forces { why: error };
+        let mut forces = match self.forces.take() {
+            Some(forces) => forces,
+            None => Box::new(Forces::new(self.own.figure()).map_err(|error| refused(error.to_string()))?),
+        };
+        let (mut v, mut a) = (std::mem::take(&mut forces.v), std::mem::take(&mut forces.a));
+        let known = self.derivatives(&mut v, &mut a);
+        (forces.v, forces.a) = (v, a);
+        let at = self.pressure();
+        let supports = self.step.beat.supports(&self.paces, self.time, at);
+        let pivot = self.step.beat.style.pivot;
+        let solved = forces.solve(&self.q, self.push_felt(), &supports, pivot, tau);
+        self.forces = Some(forces);
+        known?;
+        solved.map_err(|error| refused(error.to_string()))
+    }
+
     /// Which way the body faces (rad, to the left of z, not wrapped).
     pub fn heading(&self) -> f64 {
         self.step.beat.heading(self.time)
@@ -246,33 +299,122 @@ impl Walker {
         self.step.pressed(&self.paces, self.time)
     }
 
-    /// Frees a coordinate for the caller, over a fifth of a second: from now on it has the value that [`Walker::set_freed`] gives it. The dofs of the root
-    /// and of the legs cannot be freed, for the feet stand by them.
+    /// Frees a coordinate for the caller: from now on it has the value that [`Walker::set_freed`] gives it, to which it goes over within 0.3 s, and so again
+    /// wherever that jumps. The dofs of the root and of the legs cannot be freed, for the feet stand by them.
     ///
     /// # Errors
     ///
     /// A name that is none of a coordinate that can be freed.
     #[doc(alias = "mask")]
     pub fn free(&mut self, dof: &str) -> Result<(), LiveError> {
-        self.freed.free(dof, true)
+        self.telling().0.free(dof, true)
     }
 
-    /// Takes a coordinate back into the walk, over a fifth of a second.
+    /// Takes a coordinate back into the walk, within 0.3 s.
     ///
     /// # Errors
     ///
     /// A name that is none of a coordinate that can be freed.
     pub fn hold(&mut self, dof: &str) -> Result<(), LiveError> {
-        self.freed.free(dof, false)
+        self.telling().0.free(dof, false)
     }
 
-    /// Gives a freed coordinate its value (rad); that it moves smoothly is the caller's.
+    /// Gives a freed coordinate its value (rad). One that moves with at most 150 rad/s² is followed to the bit.
     ///
     /// # Errors
     ///
     /// A name that is none of a coordinate that can be freed, and a value that is none.
     pub fn set_freed(&mut self, dof: &str, value: f64) -> Result<(), LiveError> {
-        self.freed.set(dof, value)
+        self.telling().0.set(dof, value)
+    }
+
+    /// A point of a link (m, in its frame) reaches for a goal in the world from now on, while it walks: by the coordinates or joints `by`, or, where none are named, by those
+    /// of its arm, or of neck and head. It goes over to it within 0.3 s and then meets it exactly in every frame, where limits and lengths let it, else as nearly as
+    /// steps lead; [`Walker::reached`] tells what is missing. Told again of the same point and joints it goes on to another goal, so that one that moves is told
+    /// anew each frame, without allocating.
+    ///
+    /// ```
+    /// use solaris_analysis::Goal;
+    /// use solaris_gait::{Command, Walker};
+    /// use solaris_model::{Human, RootOrder, Vector3};
+    ///
+    /// let ann = Human::new(1.65, 58.0).root(RootOrder::Yzx).build()?;
+    /// let mut walker = Walker::new(&ann)?;
+    /// let (palm, rail) = (Vector3::new(0.0, -0.08, 0.0), |z| Vector3::new(-0.4, 0.95, z));
+    /// for _ in 0..180 {
+    ///     walker.reach("right_hand", palm, &[], Goal::Place(rail(walker.com().z + 0.15)))?;
+    ///     walker.step(1.0 / 60.0, &Command::velocity(0.0, 1.0))?;
+    /// }
+    /// assert!(walker.reached("right_hand") < Some(1e-9));
+    /// walker.withdraw("right_hand")?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Names that are none, coordinates that do not move the link, goals that are no numbers: what was told before stays.
+    #[doc(alias = "ik")]
+    pub fn reach(
+        &mut self,
+        link: &str,
+        point: Vector3<f64>,
+        by: &[&str],
+        goal: Goal,
+    ) -> Result<(), LiveError> {
+        let (told, q) = self.telling();
+        told.reach((link, point), by, goal, q)
+    }
+
+    /// What is missing to the goal of a link that reaches (m for a place, rad for a direction), in the last frame; `None` for one that does not reach.
+    pub fn reached(&self, link: &str) -> Option<f64> {
+        self.told.as_ref().and_then(|told| told.off(link))
+    }
+
+    /// A link that reaches comes back into the walk, within 0.3 s.
+    ///
+    /// # Errors
+    ///
+    /// A link that the figure has not.
+    pub fn withdraw(&mut self, link: &str) -> Result<(), LiveError> {
+        self.telling().0.withdraw(link)
+    }
+
+    /// Plays a recorded motion of this figure over the walk, once from its beginning to its end: its coordinates or joints `by`, or, where none are named, all of trunk,
+    /// head and arms. It is gone over to within 0.3 s, and back again from its end on.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure or without velocities, and names that are none.
+    #[doc(alias = "layer")]
+    #[doc(alias = "montage")]
+    pub fn play(&mut self, clip: &Arc<RecordedMotion>, by: &[&str]) -> Result<(), LiveError> {
+        self.telling().0.play(clip, by)
+    }
+
+    /// Whether a clip is played.
+    pub fn plays(&self) -> bool {
+        self.told.as_ref().is_some_and(|told| told.plays())
+    }
+
+    /// Ends all clips, within 0.3 s.
+    pub fn end_clips(&mut self) {
+        if let Some(told) = &mut self.told {
+            told.end_clips();
+        }
+    }
+
+    /// What is told, to tell more, and the configuration that is shown.
+    fn telling(&mut self) -> (&mut Told, &[f64]) {
+        if self.told.as_ref().is_none_or(|told| !told.is_told()) {
+            let mut told = self.told.take().unwrap_or_else(|| Box::new((*self.own).clone()));
+            let n = self.q.len();
+            let (mut v, mut a) = (vec![0.0; n], vec![0.0; n]);
+            self.meant(&mut v, &mut a);
+            told.begin(&self.q, &v);
+            self.told = Some(told);
+        }
+        let Self { told, q, .. } = self;
+        (told.as_mut().expect("made above"), q)
     }
 
     /// Lets a joint of the trunk, the head or an arm hang loose from now on, by its name (`left_elbow`): it swings from the walk by gravity and inertia, with the damping and
@@ -288,12 +430,8 @@ impl Walker {
     pub fn loosen(&mut self, joint: &str) -> Result<(), LiveError> {
         let mut limbs = self.limbs.take().unwrap_or_else(|| Box::new((*self.tight).clone()));
         let (mut v, mut a) = (std::mem::take(&mut limbs.v), std::mem::take(&mut limbs.a));
-        self.walked(&mut v, &mut a);
-        self.freed.write_derivatives(&mut v, &mut a);
+        self.meant(&mut v, &mut a);
         (limbs.v, limbs.a) = (v, a);
-        if let Some(pushed) = &self.pushed {
-            pushed.write_derivatives(&mut limbs.v, &mut limbs.a);
-        }
         let loosened = limbs.loosen(joint, &self.q);
         self.limbs = Some(limbs);
         loosened
@@ -355,19 +493,18 @@ impl Walker {
     fn write(&mut self, dt: f64) {
         let placed = self.step.placed(&self.paces, self.time);
         placed.posture.write(&self.paces.body, &self.paces.plane, &mut self.q);
-        self.freed.write(&mut self.q, dt);
         if let Some(pushed) = &self.pushed {
             pushed.write(&mut self.q);
+        }
+        // What is long back in the walk costs nothing.
+        if let Some(told) = self.told.as_mut().filter(|told| told.is_told()) {
+            told.step(dt, &mut self.q);
         }
         // While nothing hangs nothing is done.
         if let Some(mut limbs) = self.limbs.take_if(|limbs| limbs.moves()) {
             let (mut v, mut a) = (std::mem::take(&mut limbs.v), std::mem::take(&mut limbs.a));
-            self.walked(&mut v, &mut a);
-            self.freed.write_derivatives(&mut v, &mut a);
+            self.meant(&mut v, &mut a);
             (limbs.v, limbs.a) = (v, a);
-            if let Some(pushed) = &self.pushed {
-                pushed.write_derivatives(&mut limbs.v, &mut limbs.a);
-            }
             limbs.step(dt, self.push_felt(), &mut self.q);
             self.limbs = Some(limbs);
         }

@@ -2,7 +2,7 @@
 
 use crate::driven::{Driver, Found, person};
 use crate::random::Random;
-use solaris_gait::Command;
+use solaris_gait::{Command, Walker};
 
 /// Any command, and how long it holds (s).
 pub(crate) fn command(random: &mut Random) -> (Command, f64) {
@@ -52,6 +52,35 @@ fn two_minutes_of_any_commands_hold() {
     for (height, seed, rate) in [(1.75, 7, 240.0), (1.5, 8, 120.0), (1.95, 9, 60.0), (1.2, 10, 144.0)] {
         driven(height, seed, rate, 30.0);
     }
+}
+
+/// No coordinate jumps, nor does a rate by more than a fraction: third differences of a tenth of a millisecond see what frames of a game do not.
+#[test]
+fn no_coordinate_jumps_where_pieces_meet() {
+    let figure = person(1.75);
+    let names = figure.layout().q_names();
+    let mut walker = Walker::new(&figure).expect("a walker");
+    let (mut random, dt) = (Random(77), 1e-4);
+    let mut last = [(); 3].map(|()| walker.configuration().to_vec());
+    let mut worst = (0.0_f64, 0.0, "");
+    let mut frame = 0;
+    while frame < 400_000 {
+        let (command, holds) = command(&mut random);
+        for _ in 0..(holds / dt) as usize {
+            let q = walker.step(dt, &command).expect("a frame");
+            frame += 1;
+            for (i, name) in names.iter().enumerate() {
+                let third = q[i] - 3.0 * last[2][i] + 3.0 * last[1][i] - last[0][i];
+                if third.abs() > worst.0 {
+                    worst = (third.abs(), f64::from(frame) * dt, name);
+                }
+            }
+            last.rotate_left(1);
+            last[2].copy_from_slice(q);
+        }
+    }
+    println!("{worst:?}");
+    assert!(worst.0 < 6e-5, "{worst:?}");
 }
 
 #[test]

@@ -28,8 +28,8 @@ mod isolated_peaks;
 mod layers;
 mod leg_closed_forms;
 mod live;
+mod live_forces;
 mod live_random;
-
 mod load;
 mod long_walk;
 mod loose;
@@ -62,4 +62,5 @@ mod thesis_requests;
 mod three_determinants;
 mod three_determinants_closure;
 mod three_determinants_laws;
+mod told;
 mod unequal;
