@@ -24,8 +24,8 @@ pub(super) const HEIGHT: usize = 22;
 const FLAT_AT: f64 = 0.14;
 /// Pitches that are taken for none: curves through samples ring so far (rad).
 const RINGING: f64 = 0.002;
-/// How much earlier than it happens the head turns (s), and how far at most.
-const LOOKS_AHEAD: f64 = 0.25;
+/// How far ahead the head looks (s), and how far at most: as each step takes over from the one before, it turns a quarter of a second before the body.
+const LOOKS_AHEAD: f64 = 0.33;
 const MOST_AHEAD: f64 = 25.0 * DEGREE;
 /// When the load begins to shift before the first step, as a part of the time to the lift.
 const SHIFTS_FROM: f64 = 0.35;

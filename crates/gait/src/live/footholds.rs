@@ -224,7 +224,7 @@ impl Course {
             roll: (way[1] / paces.shortest()).clamp(LEAST_ROLL, 1.0),
             heading: Bridge::new(heading, &[[ends], [rate], [0.0]], duration),
             faces: [ends, rate],
-            lean: LEAN * (forward * 0.5 * (turn + after) / step_time / G).atan(),
+            lean: LEAN * (forward * turn / step_time / G).atan(),
             stands_at: place,
             style,
         };

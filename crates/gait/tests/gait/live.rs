@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const RATE: f64 = 240.0;
 
 /// Commands round a circle (m, m/s), a tenth of a second each.
-fn circle(radius: f64, speed: f64) -> Vec<(Command, f64)> {
+pub(crate) fn circle(radius: f64, speed: f64) -> Vec<(Command, f64)> {
     let count = (20.0 * PI * radius / speed) as usize;
     let at = |k: usize| 0.1 * k as f64 * speed / radius;
     (0..count).map(|k| (Command::velocity(speed * at(k).sin(), speed * at(k).cos()), 0.1)).collect()

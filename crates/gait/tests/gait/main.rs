@@ -30,6 +30,7 @@ mod leg_closed_forms;
 mod live;
 mod live_forces;
 mod live_random;
+mod live_turns;
 mod load;
 mod long_walk;
 mod loose;
