@@ -51,7 +51,7 @@ pub(crate) fn differentiate(
 }
 
 /// A motion of which everything is known: itself, or differentiated.
-fn complete(motion: &Motion, filter: Option<f64>, order: usize) -> PyResult<Motion> {
+pub(crate) fn complete(motion: &Motion, filter: Option<f64>, order: usize) -> PyResult<Motion> {
     if motion.motion.known().is_all() {
         return Ok(motion.clone());
     }
@@ -145,6 +145,15 @@ pub(crate) fn contacts_of<'py>(py: Python<'py>, tracks: &[ContactTrack]) -> PyRe
         all.set_item(&track.link, one)?;
     }
     Ok(all)
+}
+
+/// One contact at an instant.
+pub(crate) fn contact<'py>(py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py, PyDict>> {
+    let one = PyDict::new(py);
+    for (name, numbers) in [("force", contact.force), ("moment", contact.moment), ("cop", contact.cop)] {
+        one.set_item(name, PyArray1::from_slice(py, numbers.as_slice()))?;
+    }
+    Ok(one)
 }
 
 #[pymethods]

@@ -1,11 +1,18 @@
 //! A walker that is steered while it walks.
 
+use crate::analysis::{complete, contact};
 use crate::arrays::fixed;
-use crate::errors::plain;
+use crate::errors::{plain, value};
 use crate::figure::{Figure, human};
+use crate::motion::Motion;
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use solaris::analysis::Goal;
 use solaris::gait::{self, Command};
+use solaris::model::{Quaternion, Unit, UnitQuaternion, Vector3};
+use solaris::modes::RecordedMotion;
+use std::sync::Arc;
 
 /// A figure that walks as it is told while it walks: `step(dt, …)` frame after frame, planted feet exact at each.
 ///
@@ -135,7 +142,120 @@ impl Walker {
         self.walker.bent().map(|bent| format!("{bent:?}").to_lowercase()).collect()
     }
 
-    /// Frees a coordinate for `set`, over a fifth of a second; `hold` takes it back.
+    /// What the last frame asks of the ground and of the joints: `tau` (N m, N), and of each foot, `left_foot` and `right_foot`, `force` (N), `moment` about the
+    /// world's origin (N m) and `cop`, where it is pressed (m).
+    ///
+    /// >>> import solaris
+    /// >>> walker = solaris.Walker()
+    /// >>> _ = walker.step(1 / 60)
+    /// >>> forces = walker.forces()
+    /// >>> float(forces["left_foot"]["force"][1] + forces["right_foot"]["force"][1]) / walker.figure.mass > 9.7
+    /// True
+    fn forces<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let mut tau = vec![0.0; self.figure.figure().layout().nv()];
+        let feet = self.walker.forces(&mut tau).map_err(|error| plain("WalkError")(&error))?;
+        let forces = PyDict::new(py);
+        forces.set_item("tau", PyArray1::from_vec(py, tau))?;
+        for (name, foot) in gait::FEET.into_iter().zip(&feet) {
+            forces.set_item(name, contact(py, foot)?)?;
+        }
+        Ok(forces)
+    }
+
+    /// A point of a link (`at`, m, in its frame) reaches for a place (`to`, m), its `axis` (its z, which is forward) looks at one (`look`, m), or it is turned as a
+    /// quaternion says (`turned`, x, y, z, w), from now on: by the coordinates or joints `by`, or those of its arm, or of neck and head. Told again each frame it follows what
+    /// moves. `reached` tells what is missing, `withdraw` ends it.
+    ///
+    /// >>> import solaris
+    /// >>> walker = solaris.Walker()
+    /// >>> walker.reach("right_hand", to=(-0.3, 1.1, 0.35), at=(0, -0.08, 0))
+    /// >>> for _ in range(30):
+    /// ...     q = walker.step(1 / 60)
+    /// >>> walker.reached("right_hand") < 1e-9
+    /// True
+    #[pyo3(signature = (link, *, to=None, look=None, turned=None, at=None, axis=None, by=Vec::new()))]
+    fn reach(
+        &mut self,
+        link: &str,
+        to: Option<&Bound<'_, PyAny>>,
+        look: Option<&Bound<'_, PyAny>>,
+        turned: Option<&Bound<'_, PyAny>>,
+        at: Option<&Bound<'_, PyAny>>,
+        axis: Option<&Bound<'_, PyAny>>,
+        by: Vec<String>,
+    ) -> PyResult<()> {
+        let point = vector("at", at)?.unwrap_or_else(Vector3::zeros);
+        let axis = match vector("axis", axis)? {
+            None => Vector3::z_axis(),
+            Some(axis) => {
+                Unit::try_new(axis, 0.0).ok_or_else(|| value("axis has no direction; give it a length"))?
+            }
+        };
+        let turned = turned.map(|turned| quaternion("turned", turned)).transpose()?;
+        let goal = match (vector("to", to)?, vector("look", look)?, turned) {
+            (Some(place), None, None) => Goal::Place(place),
+            (None, Some(at), None) => Goal::Look { axis, at },
+            (None, None, Some(turned)) => Goal::Turned(turned),
+            _ => return Err(value("give one of to, look and turned")),
+        };
+        let by: Vec<&str> = by.iter().map(String::as_str).collect();
+        self.walker.reach(link, point, &by, goal).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// What is missing to where a link reaches (m, rad); `None` for one that does not reach.
+    fn reached(&self, link: &str) -> Option<f64> {
+        self.walker.reached(link)
+    }
+
+    /// A link that reaches comes back into the walk.
+    fn withdraw(&mut self, link: &str) -> PyResult<()> {
+        self.walker.withdraw(link).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// Plays a motion of this figure over the walk, once: its coordinates or joints `by`, or all of trunk, head and arms.
+    #[pyo3(signature = (motion, *, by=Vec::new()))]
+    fn play(&mut self, motion: &Motion, by: Vec<String>) -> PyResult<()> {
+        let known = complete(motion, None, 2)?.motion;
+        let clip = RecordedMotion::new(known.as_ref().clone()).map_err(|error| plain("WalkError")(&error))?;
+        let by: Vec<&str> = by.iter().map(String::as_str).collect();
+        self.walker.play(&Arc::new(clip), &by).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// Whether a motion is played.
+    #[getter]
+    fn plays(&self) -> bool {
+        self.walker.plays()
+    }
+
+    /// Ends all motions that are played.
+    fn end_clips(&mut self) {
+        self.walker.end_clips();
+    }
+
+    /// Pushes a point of a link (`at`, m, in its frame) with a force of the world (N) from now on, until `let_go`.
+    #[pyo3(signature = (link, force, *, at=None))]
+    fn push(&mut self, link: &str, force: &Bound<'_, PyAny>, at: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let at = vector("at", at)?.unwrap_or_else(Vector3::zeros);
+        let force = fixed::<3>("force", force)?.into();
+        self.walker.push(link, at, force).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// Pushes no more.
+    fn let_go(&mut self) {
+        self.walker.let_go();
+    }
+
+    /// Lets a joint of trunk, head or arms hang loose; `tighten` takes it back.
+    fn loosen(&mut self, joint: &str) -> PyResult<()> {
+        self.walker.loosen(joint).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// Takes a loose joint back into the walk.
+    fn tighten(&mut self, joint: &str) -> PyResult<()> {
+        self.walker.tighten(joint).map_err(|error| plain("WalkError")(&error))
+    }
+
+    /// Frees a coordinate for `set`; `hold` takes it back.
     fn free(&mut self, dof: &str) -> PyResult<()> {
         self.walker.free(dof).map_err(|error| plain("WalkError")(&error))
     }
@@ -163,4 +283,14 @@ impl Walker {
         let [x, z] = self.walker.place();
         format!("<Walker at ({x:.3}, {z:.3}) m, heading {:.3} rad>", self.walker.heading())
     }
+}
+
+fn vector(name: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vector3<f64>>> {
+    given.map(|given| Ok(fixed::<3>(name, given)?.into())).transpose()
+}
+
+fn quaternion(name: &str, given: &Bound<'_, PyAny>) -> PyResult<UnitQuaternion<f64>> {
+    let [x, y, z, w] = fixed::<4>(name, given)?;
+    let turned = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 0.0);
+    turned.ok_or_else(|| value(format!("{name} is no rotation; a quaternion has a length")))
 }

@@ -163,6 +163,45 @@ def test_a_walker_is_steered():
         solaris.Walker(solaris.human())
 
 
+def test_a_walker_reaches_plays_is_pushed_and_tells_its_forces():
+    walker = solaris.Walker()
+    weight = 9.80665 * walker.figure.mass
+    for k in range(120):
+        walker.reach("right_hand", to=(-0.4, 1.0, 1.0 * k / 60 + 0.2), at=(0, -0.08, 0))
+        walker.step(1 / 60, velocity=(0.0, 1.0))
+    assert walker.reached("right_hand") is not None and walker.reached("left_hand") is None
+    walker.withdraw("right_hand")
+    walker.reach("head", look=(2.0, 1.5, 9.0), by=["neck", "head"])
+    walker.reach("left_hand", turned=(0, 0, 0, 1))
+    walker.push("thorax", (30.0, 0.0, 0.0))
+    walker.loosen("right_elbow")
+    walker.step(1 / 60, velocity=(0.0, 1.0))
+    walker.tighten("right_elbow")
+    walker.let_go()
+    # A motion of the same figure, of which no more than the positions are known.
+    time, dof = np.linspace(0.0, 1.0, 61), walker.figure.q_names.index("left_elbow.rx")
+    q = np.zeros((61, walker.figure.nq))
+    q[:, dof] = -1.0 - 0.3 * np.sin(6 * time)
+    walker.withdraw("left_hand")
+    walker.play(solaris.Motion(walker.figure, time, q), by=["left_elbow"])
+    for k in range(30):
+        played = walker.step(1 / 60, velocity=(0.0, 1.0))
+    assert walker.plays and abs(played[dof] - (-1.0 - 0.3 * np.sin(6 * 0.5))) < 1e-3
+    walker.end_clips()
+    for _ in range(300):
+        walker.step(1 / 60)
+    forces = walker.forces()
+    total = forces["left_foot"]["force"] + forces["right_foot"]["force"]
+    assert np.allclose(total, (0, weight, 0), atol=0.02 * weight) and np.abs(forces["tau"][:6]).max() < 1e-6
+    for wrong in (dict(), dict(to=(0, 1, 0), look=(0, 1, 0)), dict(look=(0, 1, 0), axis=(0, 0, 0))):
+        with pytest.raises(ValueError):
+            walker.reach("right_hand", **wrong)
+    with pytest.raises(solaris.WalkError, match="did you mean 'right_hand'"):
+        walker.reach("right_hnd", to=(0, 1, 0))
+    with pytest.raises(solaris.WalkError):
+        walker.push("thorax", (1e6, 0.0, 0.0))
+
+
 def test_a_scene_runs_and_its_faults_have_places(tmp_path):
     run = solaris.run(FIXTURES / "scenes" / "pendulum.ron", duration=2.0, rate=200.0)
     assert len(run.motion) == 401 and run.report["energy"]

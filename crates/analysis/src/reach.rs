@@ -242,12 +242,7 @@ impl Reach {
     /// # Errors
     ///
     /// As for [`pose`](Self::pose).
-    pub fn follow(
-        &mut self,
-        q: &mut [f64],
-        target: &Goal,
-        most_steps: usize,
-    ) -> Result<Reached, ReachError> {
+    pub fn follow(&mut self, q: &mut [f64], target: &Goal, most_steps: usize) -> Result<Reached, ReachError> {
         for unknown in &self.unknowns {
             let entry = &mut q[unknown.coordinate];
             *entry = entry.clamp(unknown.lower, unknown.upper);

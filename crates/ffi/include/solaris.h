@@ -95,6 +95,16 @@ typedef struct SolarisWhereabouts {
   bool is_standing;
 } SolarisWhereabouts;
 
+// What the ground does to a foot, in the axes of the world.
+typedef struct SolarisContact {
+  // N.
+  double force[3];
+  // About the world's origin (N m).
+  double moment[3];
+  // Where it is pressed (m).
+  double center[3];
+} SolarisContact;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -207,6 +217,51 @@ enum SolarisStatus solaris_walker_step(struct SolarisWalker *walker,
 // Where it is, which way it faces, how fast it goes.
 enum SolarisStatus solaris_walker_whereabouts(const struct SolarisWalker *walker,
                                               struct SolarisWhereabouts *out);
+
+// Gives a coordinate of trunk, head or arms (`left_elbow.rx`) a value (rad) from now on, beside the walk. It goes over to it within 0.3 s; one that moves smoothly is
+// followed.
+enum SolarisStatus solaris_walker_set(struct SolarisWalker *walker,
+                                      const char *coordinate,
+                                      double value);
+
+// Takes a coordinate back into the walk, within 0.3 s.
+enum SolarisStatus solaris_walker_hold(struct SolarisWalker *walker, const char *coordinate);
+
+// A point of a link (three numbers, m, in its frame) reaches for a place (three numbers, m, in the world) from now on, by the joints of its arm, or of neck and head. What moves is
+// told anew each frame.
+enum SolarisStatus solaris_walker_reach(struct SolarisWalker *walker,
+                                        const char *link,
+                                        const double *point,
+                                        const double *place);
+
+// The z axis of a link, which is forward, turns towards a place (three numbers, m, in the world) as it is seen from a point of the link (m, in its frame), by the same joints.
+enum SolarisStatus solaris_walker_look(struct SolarisWalker *walker,
+                                       const char *link,
+                                       const double *point,
+                                       const double *place);
+
+// A link that reaches or looks comes back into the walk, within 0.3 s.
+enum SolarisStatus solaris_walker_withdraw(struct SolarisWalker *walker, const char *link);
+
+// Lets a joint of trunk, head or arms hang loose, or takes it back.
+enum SolarisStatus solaris_walker_loosen(struct SolarisWalker *walker,
+                                         const char *joint,
+                                         bool loose);
+
+// Pushes a point of a link (three numbers, m, in its frame) with a force (three numbers, N, of the world) from now on.
+enum SolarisStatus solaris_walker_push(struct SolarisWalker *walker,
+                                       const char *link,
+                                       const double *point,
+                                       const double *force);
+
+// Pushes no more.
+enum SolarisStatus solaris_walker_let_go(struct SolarisWalker *walker);
+
+// What the last frame asks of the ground under the left and the right foot (two of them in `feet`) and of the joints (`nv` forces in `tau`, N m and N).
+enum SolarisStatus solaris_walker_forces(struct SolarisWalker *walker,
+                                         struct SolarisContact *feet,
+                                         double *tau,
+                                         size_t nv);
 
 // Begins a scene of a file (`.ron`), by its own method; where it leaves that open in steps of a millisecond, by impulses over ground or
 // where links touch or are held together, else by Runge and Kutta's rule.

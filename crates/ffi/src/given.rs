@@ -1,6 +1,7 @@
 //! What C hands over: handles, arrays and texts, checked as far as that is possible.
 
 use crate::error::Failure;
+use solaris::model::Vector3;
 use std::ffi::{CStr, c_char};
 
 /// A handle.
@@ -62,6 +63,11 @@ pub(crate) unsafe fn numbers_mut<'a>(
         return Err(Failure::argument(format!("{name} overlaps an argument; give it an array of its own")));
     }
     Ok(unsafe { std::slice::from_raw_parts_mut(given, length) })
+}
+
+/// Three numbers of a point or a direction.
+pub(crate) unsafe fn vector(name: &str, given: *const f64) -> Result<Vector3<f64>, Failure> {
+    Ok(Vector3::from_column_slice(unsafe { numbers(name, given, 3, 3) }?))
 }
 
 /// A text.

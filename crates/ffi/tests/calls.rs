@@ -104,6 +104,67 @@ fn what_cannot_be_is_refused_and_the_walker_stays() {
 }
 
 #[test]
+fn a_walker_reaches_is_pushed_and_tells_its_forces() {
+    unsafe {
+        let figure = human();
+        let mut walker = ptr::null_mut();
+        assert_eq!(solaris_walker_new(figure, &raw mut walker), Status::Ok);
+        let (mut q, mut tau, mut feet) = ([0.0; 66], [0.0; 66], [Contact::default(); 2]);
+        let stand = Command::default();
+        let (palm, place) = ([0.0, -0.08, 0.0], [-0.3, 1.1, 0.35]);
+        assert_eq!(
+            solaris_walker_reach(walker, c"right_hand".as_ptr(), palm.as_ptr(), place.as_ptr()),
+            Status::Ok
+        );
+        let eyes = [0.0, 0.1, 0.08];
+        assert_eq!(solaris_walker_look(walker, c"head".as_ptr(), eyes.as_ptr(), place.as_ptr()), Status::Ok);
+        assert_eq!(solaris_walker_set(walker, c"left_elbow.rx".as_ptr(), -1.2), Status::Ok);
+        let force = [0.0, -20.0, 0.0];
+        assert_eq!(
+            solaris_walker_push(walker, c"thorax".as_ptr(), palm.as_ptr(), force.as_ptr()),
+            Status::Ok
+        );
+        for _ in 0..120 {
+            let step = solaris_walker_step(walker, 1.0 / 60.0, &raw const stand, q.as_mut_ptr(), 66);
+            assert_eq!(step, Status::Ok);
+        }
+        let mut dynamics = ptr::null_mut();
+        assert_eq!(solaris_dynamics_new(figure, ptr::null(), &raw mut dynamics), Status::Ok);
+        assert_eq!(solaris_walker_forces(walker, feet.as_mut_ptr(), tau.as_mut_ptr(), 66), Status::Ok);
+        // They bear the weight and what is pushed down.
+        let borne = feet[0].force[1] + feet[1].force[1];
+        let ann = solaris::model::Human::new(1.75, 73.0).build().expect("a person");
+        assert!((borne - (ann.mass() * 9.80665 + 20.0)).abs() < 0.1, "{borne}");
+        let refused = |call: Status, why: &str| {
+            assert_eq!(call, Status::Refused);
+            assert!(said().starts_with(why), "{}", said());
+        };
+        let paw = solaris_walker_reach(walker, c"right_paw".as_ptr(), palm.as_ptr(), place.as_ptr());
+        refused(paw, "there is no link 'right_paw'");
+        let knee = solaris_walker_set(walker, c"left_knee.rx".as_ptr(), 0.3);
+        refused(knee, "there is no coordinate 'left_knee.rx'");
+        let loose = solaris_walker_loosen(walker, c"left_knee".as_ptr(), true);
+        refused(loose, "there is no joint 'left_knee'");
+        for call in [
+            solaris_walker_reach(walker, ptr::null(), palm.as_ptr(), place.as_ptr()),
+            solaris_walker_push(walker, c"thorax".as_ptr(), ptr::null(), force.as_ptr()),
+            solaris_walker_forces(walker, ptr::null_mut(), tau.as_mut_ptr(), 66),
+            solaris_walker_forces(walker, feet.as_mut_ptr(), tau.as_mut_ptr(), 6),
+        ] {
+            assert_eq!(call, Status::BadArgument);
+        }
+        assert_eq!(solaris_walker_withdraw(walker, c"right_hand".as_ptr()), Status::Ok);
+        assert_eq!(solaris_walker_hold(walker, c"left_elbow.rx".as_ptr()), Status::Ok);
+        assert_eq!(solaris_walker_let_go(walker), Status::Ok);
+        assert_eq!(solaris_walker_loosen(walker, c"left_elbow".as_ptr(), true), Status::Ok);
+        assert_eq!(solaris_walker_step(walker, 1.0 / 60.0, &raw const stand, q.as_mut_ptr(), 66), Status::Ok);
+        solaris_dynamics_free(dynamics);
+        solaris_walker_free(walker);
+        solaris_figure_free(figure);
+    }
+}
+
+#[test]
 fn poses_are_those_of_the_kernel() {
     unsafe {
         let figure = human();

@@ -74,7 +74,7 @@ pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{MassShares, ScaleError, Scaling, Stretching, stretched_inertia};
 pub use source::SourceMap;
 
-pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
+pub use nalgebra::{Isometry3, Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 pub use solaris_text::{
     Finding, FindingKind, Place, Suggestion, TextError, TextFault, did_you_mean, is_unseen, nearest, plain,
 };
