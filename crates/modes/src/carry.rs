@@ -1,5 +1,6 @@
 //! Loads that links take up and let go in the course of a run.
 
+use crate::element::Loop;
 use crate::failure::SetupError;
 use crate::range::{check_not_negative, check_positive};
 use crate::simulation::Simulation;
@@ -27,11 +28,23 @@ pub struct Carry {
     pub until: f64,
 }
 
-impl Carry {
-    /// Whether it is carried from a time (s) on.
-    pub(crate) fn holds(&self, time: f64, near: f64) -> bool {
-        self.from <= time + near && time + near < self.until
-    }
+impl Carry {}
+
+/// Which loads are carried, and which loops are closed, for a time.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Held {
+    pub(crate) loads: Vec<bool>,
+    pub(crate) loops: Vec<bool>,
+}
+
+/// Refuses what does not begin, or does not end after that.
+pub(crate) fn check_span(
+    [from, until]: [f64; 2],
+    begins: impl Fn() -> String,
+    lasts: impl Fn() -> String,
+) -> Result<(), SetupError> {
+    check_not_negative(begins, from)?;
+    if until.is_infinite() && until > 0.0 { Ok(()) } else { check_positive(lasts, until - from) }
 }
 
 impl Simulation {
@@ -43,10 +56,11 @@ impl Simulation {
     pub fn add_carry(&mut self, carry: Carry) -> Result<(), SetupError> {
         self.figure.carrying(&carry.load)?;
         let link = || self.figure.links()[carry.load.link].name().to_owned();
-        check_not_negative(|| format!("the beginning of the load on '{}'", link()), carry.from)?;
-        if !(carry.until.is_infinite() && carry.until > 0.0) {
-            check_positive(|| format!("how long '{}' carries its load", link()), carry.until - carry.from)?;
-        }
+        check_span(
+            [carry.from, carry.until],
+            || format!("the beginning of the load on '{}'", link()),
+            || format!("how long '{}' carries its load", link()),
+        )?;
         self.carries.push(carry);
         Ok(())
     }
@@ -56,13 +70,32 @@ impl Simulation {
         &self.carries
     }
 
-    /// The same with a figure that carries these of its loads.
-    pub(crate) fn carrying(&self, carried: &[bool]) -> Result<Self, SetupError> {
-        let mut loaded = self.clone();
-        for carry in self.carries.iter().zip(carried).filter(|(_, carried)| **carried).map(|(carry, _)| carry)
-        {
-            loaded.figure = loaded.figure.carrying(&carry.load)?;
+    /// The same with a figure that carries these of its loads, and with these of its loops.
+    pub(crate) fn holding(&self, held: &Held) -> Result<Self, SetupError> {
+        let mut now = self.clone();
+        for (carry, _) in self.carries.iter().zip(&held.loads).filter(|(_, carried)| **carried) {
+            now.figure = now.figure.carrying(&carry.load)?;
         }
-        Ok(loaded)
+        now.closed.clone_from(&held.loops);
+        Ok(now)
+    }
+
+    /// What is held from a time (s) on.
+    pub(crate) fn held(&self, time: f64, near: f64) -> Held {
+        let is_on = |from: f64, until: f64| from <= time + near && time + near < until;
+        Held {
+            loads: self.carries.iter().map(|carry| is_on(carry.from, carry.until)).collect(),
+            loops: self.loops.iter().map(|closed| is_on(closed.from, closed.until)).collect(),
+        }
+    }
+
+    /// The loops that are closed now, each with its index.
+    pub(crate) fn closed(&self) -> impl Iterator<Item = (usize, &Loop)> {
+        self.loops
+            .iter()
+            .enumerate()
+            .zip(&self.closed)
+            .filter(|(_, closed)| **closed)
+            .map(|(closed, _)| closed)
     }
 }

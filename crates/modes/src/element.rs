@@ -46,6 +46,17 @@ pub struct Loop {
     pub between: [Anchor; 2],
     /// What is held together.
     pub kind: LoopKind,
+    /// From when on (s). What is taken hold of later loses the velocity between its ends in an instant, as in a plastic impact.
+    pub from: f64,
+    /// Until when (s), infinite for the rest of the run. Letting go changes no velocity.
+    pub until: f64,
+}
+
+impl Loop {
+    /// One that holds for the whole run.
+    pub fn new(between: [Anchor; 2], kind: LoopKind) -> Self {
+        Self { between, kind, from: 0.0, until: f64::INFINITY }
+    }
 }
 
 /// What a [`Loop`] holds together.

@@ -194,6 +194,19 @@ pub enum SetupError {
         /// How fast they move, or their links turn, away from each other (m/s or rad/s).
         speed: f64,
     },
+    /// A loop that is taken hold of, by forces, where it is open.
+    #[error(
+        "{} and {} are held together from {time} s on, but are {apart:.3e} m apart then, more than {OPEN}: bring them together before, or take \
+         `Method::Impulses`, which draws them together", .links[0], .links[1]
+    )]
+    FarLoop {
+        /// The links, or `world`.
+        links: [String; 2],
+        /// When (s).
+        time: f64,
+        /// How far their points are apart (m).
+        apart: f64,
+    },
     /// A loop from a link to itself, or from the world to the world.
     #[error(
         "a loop holds two links together, or a link and the world, and both ends of this one are on the same"

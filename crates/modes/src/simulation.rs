@@ -1,6 +1,6 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
-use crate::carry::Carry;
+use crate::carry::{Carry, check_span};
 use crate::collision::Collisions;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
@@ -32,6 +32,8 @@ pub struct Simulation {
     pub(crate) stages: Vec<Stage>,
     pub(crate) springs: Vec<PointSpring>,
     pub(crate) loops: Vec<Loop>,
+    /// Which of them are closed, to begin with.
+    pub(crate) closed: Vec<bool>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
@@ -57,6 +59,7 @@ impl Simulation {
             stages: Vec::new(),
             springs: Vec::new(),
             loops: Vec::new(),
+            closed: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
             collisions: None,
@@ -203,7 +206,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// Holds two points together, by [`Method::Impulses`](crate::Method::Impulses) only. What begins apart is drawn together at 0.1 m/s.
+    /// Holds two points together, for a time or for the whole run. By [`Method::Impulses`](crate::Method::Impulses) what begins apart is drawn together at 0.1 m/s;
+    /// other methods want it closed.
     ///
     /// # Errors
     ///
@@ -214,11 +218,17 @@ impl Simulation {
         if first == second {
             return Err(SetupError::LoopOfNothing);
         }
+        check_span(
+            [closed.from, closed.until],
+            || "the beginning of a loop".to_owned(),
+            || "how long a loop holds".to_owned(),
+        )?;
+        self.closed.push(closed.from <= 0.0);
         self.loops.push(closed);
         Ok(())
     }
 
-    /// The loops that are closed.
+    /// The loops that are closed, for a time or for the whole run.
     pub fn loops(&self) -> &[Loop] {
         &self.loops
     }

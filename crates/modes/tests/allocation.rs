@@ -169,9 +169,7 @@ fn links_that_touch_and_are_held_together_allocate_nothing_once_there_is_room() 
     simulation.set_collisions(solaris_modes::Collisions::of(&figure, 0.5).expect("valid")).expect("valid");
     let hand = |name: &str| Anchor { link: figure.link_index(name), point: Vector3::zeros() };
     let between = [hand("left_hand"), hand("right_hand")];
-    simulation
-        .add_loop(solaris_modes::Loop { between, kind: solaris_modes::LoopKind::Connect })
-        .expect("valid");
+    simulation.add_loop(solaris_modes::Loop::new(between, solaris_modes::LoopKind::Connect)).expect("valid");
     let mut running = simulation.start(Stepping::Impulses { step: 1e-3 }).expect("begins");
     // What touches anew finds room for it in the crate of shapes.
     let mut quiet = 0;

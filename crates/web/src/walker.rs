@@ -2,7 +2,9 @@
 
 use crate::failed;
 use crate::figure::Figure;
+use solaris::analysis::Goal;
 use solaris::gait::{self, Command};
+use solaris::model::Vector3;
 use wasm_bindgen::prelude::*;
 
 /// A figure that walks as it is told while it walks, frame after frame. The level is x left and z forward of the world.
@@ -58,13 +60,24 @@ impl Walker {
         if loose { self.walker.loosen(joint) } else { self.walker.tighten(joint) }.map_err(failed)
     }
 
+    /// A point of a link (three numbers, m in its frame) reaches for a place (three numbers, m in the world) from now on, by the joints of its arm, or of neck and head.
+    pub fn reach(&mut self, link: &str, at: &[f64], to: &[f64]) -> Result<(), JsError> {
+        self.walker.reach(link, vector(at)?, &[], Goal::Place(vector(to)?)).map_err(failed)
+    }
+
+    /// The z axis of a link looks at a place, as it is seen from a point of the link, by the same joints.
+    pub fn look(&mut self, link: &str, at: &[f64], to: &[f64]) -> Result<(), JsError> {
+        let goal = Goal::Look { axis: Vector3::z_axis(), at: vector(to)? };
+        self.walker.reach(link, vector(at)?, &[], goal).map_err(failed)
+    }
+
+    /// A link that reaches or looks comes back into the walk.
+    pub fn withdraw(&mut self, link: &str) -> Result<(), JsError> {
+        self.walker.withdraw(link).map_err(failed)
+    }
+
     /// Pushes a point of a link (three numbers each: m in its frame, N in the world) from the next `step` on, until it is pushed otherwise or let go.
     pub fn push(&mut self, link: &str, at: &[f64], force: &[f64]) -> Result<(), JsError> {
-        let vector = |given: &[f64]| {
-            <[f64; 3]>::try_from(given)
-                .map(Into::into)
-                .map_err(|_| JsError::new("a push has three numbers for its place and three for its force"))
-        };
         self.walker.push(link, vector(at)?, vector(force)?).map_err(failed)
     }
 
@@ -112,4 +125,9 @@ impl Walker {
     pub fn copy(&self) -> Walker {
         Self { walker: self.walker.clone(), command: self.command }
     }
+}
+
+fn vector(given: &[f64]) -> Result<Vector3<f64>, JsError> {
+    let numbers = <[f64; 3]>::try_from(given).map(Into::into);
+    numbers.map_err(|_| JsError::new("places, points and forces have three numbers each"))
 }

@@ -53,7 +53,7 @@ impl Colliding {
         let mut index = vec![None; moved.len()];
         // What a loop holds together is joined.
         let is_joined = |pair: &[usize; 2]| {
-            source.loops.iter().any(|closed| {
+            source.closed.iter().any(|(_, closed)| {
                 let ends = closed.between.map(|anchor| anchor.link);
                 ends == pair.map(Some) || ends == [pair[1], pair[0]].map(Some)
             })

@@ -45,7 +45,7 @@ impl Loops {
             let LinkPlace { link, placement } = place(full)?;
             Some(End { link: Some((full, link)), point: placement.transform_point(&point.into()).coords })
         };
-        let all = source.loops.iter().enumerate().filter_map(|(index, closed)| {
+        let all = source.closed.iter().filter_map(|&(index, closed)| {
             if !closed.between.iter().any(|anchor| anchor.link.is_some_and(|link| moved[link])) {
                 return None;
             }

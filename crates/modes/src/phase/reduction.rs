@@ -23,7 +23,8 @@ pub(super) struct Source {
     pub(super) limits: Vec<LimitLaw>,
     pub(super) surface: Option<Surface>,
     pub(super) collisions: Option<Collisions>,
-    pub(super) loops: Vec<Loop>,
+    /// Those that are closed, each with its index in the simulation.
+    pub(super) closed: Vec<(usize, Loop)>,
     /// Link and point (m) of each push.
     pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// Each degree of freedom that follows another, and that one.
@@ -71,7 +72,7 @@ impl Source {
             limits: simulation.limits.clone(),
             surface: simulation.surface.clone(),
             collisions: simulation.collisions.clone(),
-            loops: simulation.loops.clone(),
+            closed: simulation.closed().map(|(index, closed)| (index, *closed)).collect(),
             pushes: simulation.pushes.iter().map(|push| (push.link, push.point)).collect(),
             followers: followers.collect(),
         }
@@ -196,7 +197,7 @@ impl Source {
     fn needed(&self, moved: &[bool]) -> Vec<bool> {
         let mut needed = moved.to_vec();
         let springs = self.springs.iter().map(|spring| &spring.between);
-        let joined = springs.chain(self.loops.iter().map(|closed| &closed.between));
+        let joined = springs.chain(self.closed.iter().map(|(_, closed)| &closed.between));
         for between in joined.filter(|between| is_moved(between, moved)) {
             for link in between.iter().filter_map(|anchor| anchor.link) {
                 needed[link] = true;

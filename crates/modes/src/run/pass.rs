@@ -10,6 +10,7 @@ use super::pushes;
 use super::record::{Record, near};
 use super::touching;
 use crate::body::Body;
+use crate::carry::Held;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::{GROUND, Phase, Role};
 use crate::push::Thrust;
@@ -76,8 +77,8 @@ pub(crate) struct Pass {
     pub(crate) struck: Vec<bool>,
     /// When each part of the sequence that is over was (s).
     pub(crate) stages: Vec<f64>,
-    /// Which loads are carried, and the simulation with these; none before the first is looked for.
-    pub(crate) carried: Vec<bool>,
+    /// What is held, and the simulation with that; none before the first is looked for.
+    pub(crate) held: Option<Held>,
     pub(crate) loaded: Option<Box<Simulation>>,
     pub(crate) passed: Passed,
     pub(super) work: f64,
@@ -177,7 +178,7 @@ impl Pass {
             thrusts: pushes::thrusts(simulation)?,
             struck: vec![false; simulation.pushes.len()],
             stages: Vec::new(),
-            carried: Vec::new(),
+            held: None,
             loaded: None,
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),

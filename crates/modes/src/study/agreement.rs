@@ -5,6 +5,7 @@ use super::outlook::Outlook;
 use super::reference::{Beside, Found};
 use super::sensitivity::Sensitivity;
 use crate::drive::Drive;
+use crate::element::Loop;
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use solaris_model::Motion;
@@ -30,7 +31,10 @@ impl Frames {
     /// Frames of a motion that cannot be compared to its end, spread over it; nothing where it can be, or where drives
     /// have a clock, which a run from a later state would set back.
     pub(super) fn of(simulation: &Simulation, found: &Found, sensitivity: &Sensitivity) -> Option<Self> {
-        let of_its_own = simulation.pushes.is_empty() && simulation.carries.is_empty();
+        let is_timed = |closed: &Loop| closed.from > 0.0 || closed.until.is_finite();
+        let of_its_own = simulation.pushes.is_empty()
+            && simulation.carries.is_empty()
+            && !simulation.loops.iter().any(is_timed);
         let timeless = of_its_own && simulation.drives.iter().all(
             |steps| matches!(steps.as_slice(), [step] if matches!(step.drive, Drive::Free | Drive::Frozen)),
         );

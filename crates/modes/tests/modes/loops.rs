@@ -31,7 +31,7 @@ pub(crate) fn four_bar() -> Figure {
 
 pub(crate) fn closed(figure: &Figure, kind: LoopKind, [first, second]: [(&str, Vector3<f64>); 2]) -> Loop {
     let anchor = |(name, point): (&str, Vector3<f64>)| Anchor { link: figure.link_index(name), point };
-    Loop { between: [anchor(first), anchor(second)], kind }
+    Loop::new([anchor(first), anchor(second)], kind)
 }
 
 /// The angle after `seconds` of a pendulum that is let go at `angle`, `θ̈ = −k·sin θ`, by Runge and Kutta's rule, fine enough.
@@ -83,7 +83,7 @@ fn a_weld_bears_forces_and_moments() {
     let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
     let held = Vector3::new(0.4, 0.0, 0.0);
     let between = [Anchor { link: Some(0), point: held }, Anchor { link: None, point: held }];
-    simulation.add_loop(Loop { between, kind: LoopKind::Weld }).expect("valid");
+    simulation.add_loop(Loop::new(between, LoopKind::Weld)).expect("valid");
     let run = simulation.run(&settings(2.0, 1e-3)).expect("never refused");
     let q = run.motion.q(200);
     assert!(q[..6].iter().all(|x| x.abs() < 1e-6), "{q:?}");
@@ -165,7 +165,7 @@ fn masses_far_apart_stay_together() {
             [Anchor { link: link("light"), point: at(0.2) }, Anchor { link: link("heavy"), point: at(0.2) }],
         ];
         for between in chain {
-            simulation.add_loop(Loop { between, kind: LoopKind::Connect }).expect("valid");
+            simulation.add_loop(Loop::new(between, LoopKind::Connect)).expect("valid");
         }
         // It cracks like a whip where both are in one line, with 34 times the weight of the heavy one.
         for (step, most) in [(1e-3, 1e-4), (2.5e-4, 4e-6)] {
@@ -183,7 +183,7 @@ fn loops_of_nothing_are_refused() {
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
     let of = |link, x| Anchor { link, point: Vector3::new(x, 0.0, 0.0) };
     let mut refused = |between| {
-        simulation.add_loop(Loop { between, kind: LoopKind::Weld }).expect_err("refused").to_string()
+        simulation.add_loop(Loop::new(between, LoopKind::Weld)).expect_err("refused").to_string()
     };
     let itself =
         "a loop holds two links together, or a link and the world, and both ends of this one are on the same";
@@ -195,6 +195,6 @@ fn loops_of_nothing_are_refused() {
         "a point of a loop is inf; it must be finite numbers"
     );
     simulation
-        .add_loop(Loop { between: [of(Some(1), 0.0), of(None, 0.0)], kind: LoopKind::Weld })
+        .add_loop(Loop::new([of(Some(1), 0.0), of(None, 0.0)], LoopKind::Weld))
         .expect("valid");
 }

@@ -305,7 +305,7 @@ fn random_chains_stay_tied() {
             Anchor { link: None, point: workspace.pose(links - 1).transform(&tip) },
         ];
         let kind = if case % 4 == 3 { LoopKind::Weld } else { LoopKind::Connect };
-        simulation.add_loop(Loop { between, kind }).expect("valid");
+        simulation.add_loop(Loop::new(between, kind)).expect("valid");
         match simulation.run(&by(Method::Automatic { tolerance: 1e-5 }, 0.3)) {
             Ok(run) => {
                 let report = &run.report.loops[0];

@@ -9,6 +9,7 @@ mod contact;
 mod drives;
 mod governor;
 mod hanging;
+mod holds;
 mod limits;
 mod limits_random;
 mod loops;

@@ -56,14 +56,21 @@ impl SceneReader<'_> {
         said
     }
 
+    /// `Connect(between: …, from: 1.0, until: 3.0)`
     fn closed(&mut self, node: &Node<'_>) -> Option<Loop> {
         let kind = match self.reader.kind(node, &KINDS)? {
             "Weld" => LoopKind::Weld,
             _ => LoopKind::Connect,
         };
-        let fields = self.reader.fields(node, &KINDS, &["between"])?;
+        let fields = self.reader.fields(node, &KINDS, &["between", "from", "until"])?;
         let between = self.reader.required(&fields, "between", EXAMPLE)?;
-        Some(Loop { between: self.two_anchors(between, "a loop", EXAMPLE)?, kind })
+        let between = self.two_anchors(between, "a loop", EXAMPLE)?;
+        let from = self.reader.number_or(&fields, "from", 0.0)?;
+        let until = match fields.get("until") {
+            Some(node) => self.reader.number(node, "until")?,
+            None => f64::INFINITY,
+        };
+        Some(Loop { from, until, ..Loop::new(between, kind) })
     }
 }
 
@@ -91,5 +98,5 @@ fn loop_of(figure: &Figure, own: &str, tie: &Tie) -> Result<Loop, String> {
             "it holds a link to the world, and figures beside each other have places of their own".to_owned()
         );
     }
-    Ok(Loop { between, kind })
+    Ok(Loop::new(between, kind))
 }

@@ -117,7 +117,7 @@ fn built_windows(n: usize) -> Result<Simulation, String> {
     for i in 1..=n {
         let anchor = |name: String, point| Anchor { link: figure.link_index(&name), point };
         let between = [anchor(format!("lintel{i}"), Vector3::x()), anchor(format!("post{i}"), Vector3::y())];
-        simulation.add_loop(Loop { between, kind: LoopKind::Connect }).map_err(said)?;
+        simulation.add_loop(Loop::new(between, LoopKind::Connect)).map_err(said)?;
     }
     Ok(simulation)
 }
