@@ -90,6 +90,10 @@ struct SceneReader<'l> {
     ties: loops::Asked,
     /// The figures, where there are several.
     members: Vec<Member>,
+    /// The scene's, once its figures are known.
+    gravity: Vector3<f64>,
+    /// Of whom it is to be said that they were stood up.
+    stood: Vec<String>,
 }
 
 /// The scene that `text` describes.
@@ -153,6 +157,8 @@ impl<'l> SceneReader<'l> {
             motors: actuators::Motors::default(),
             ties: loops::Asked::new(),
             members: Vec::new(),
+            gravity: GRAVITY,
+            stood: Vec::new(),
         }
     }
 }
@@ -174,8 +180,7 @@ impl SceneReader<'_> {
         let found = self.figures(&fields, gravity);
         let (name, figure) = found.unzip();
         if let Some(figure) = &figure {
-            let gravity = gravity.or(figure.gravity().copied()).unwrap_or(GRAVITY);
-            self.simulation = Some(Simulation::new(figure, gravity));
+            self.simulation = Some(Simulation::new(figure, self.gravity));
             self.names = Names::of(figure);
         }
         let figure = self.carries(&fields, figure);
@@ -196,6 +201,7 @@ impl SceneReader<'_> {
         self.collisions(&fields);
         let walked = walk.as_ref().map(walk::Planned::duration);
         let (notes, reaching) = self.reaches(&fields, walked);
+        said.append(&mut self.stood);
         said.extend(left_out);
         said.extend(open);
         said.extend(notes);

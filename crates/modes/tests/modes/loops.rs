@@ -182,9 +182,8 @@ fn loops_of_nothing_are_refused() {
     let figure = four_bar();
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
     let of = |link, x| Anchor { link, point: Vector3::new(x, 0.0, 0.0) };
-    let mut refused = |between| {
-        simulation.add_loop(Loop::new(between, LoopKind::Weld)).expect_err("refused").to_string()
-    };
+    let mut refused =
+        |between| simulation.add_loop(Loop::new(between, LoopKind::Weld)).expect_err("refused").to_string();
     let itself =
         "a loop holds two links together, or a link and the world, and both ends of this one are on the same";
     assert_eq!(refused([of(Some(1), 0.0), of(Some(1), 1.0)]), itself);
@@ -194,7 +193,5 @@ fn loops_of_nothing_are_refused() {
         refused([of(Some(1), f64::INFINITY), of(None, 1.0)]),
         "a point of a loop is inf; it must be finite numbers"
     );
-    simulation
-        .add_loop(Loop::new([of(Some(1), 0.0), of(None, 0.0)], LoopKind::Weld))
-        .expect("valid");
+    simulation.add_loop(Loop::new([of(Some(1), 0.0), of(None, 0.0)], LoopKind::Weld)).expect("valid");
 }

@@ -3,7 +3,7 @@
 use super::SceneReader;
 use super::places::Member;
 use crate::member::Member as OfSeveral;
-use nalgebra::{Unit, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
 use solaris_model::text::{Fields, Node, read_node};
 use solaris_model::{Base, Figure, Placement};
 
@@ -25,10 +25,16 @@ impl SceneReader<'_> {
         for (key, value) in entries {
             whole &= self.entry(key, value, &mut found);
         }
-        let gravity = gravity.or_else(|| found.iter().find_map(|(_, figure)| figure.gravity().copied()));
-        let up = Unit::try_new(-gravity.unwrap_or(super::GRAVITY), 0.0).unwrap_or_else(Vector3::y_axis);
         let (members, found): (Vec<Member>, Vec<Figure>) = found.into_iter().unzip();
-        let places = self.places(fields, &members, &up);
+        let gravity = gravity.unwrap_or_else(|| usual_gravity(&found));
+        let up = Unit::try_new(-gravity, 0.0).unwrap_or_else(Vector3::y_axis);
+        let stands: Vec<UnitQuaternion<f64>> = found
+            .iter()
+            .map(|figure| figure.gravity().filter(|_| found.len() > 1).map(|own| stood_up(own, &up)))
+            .map(Option::unwrap_or_default)
+            .collect();
+        let places = self.places(fields, &members, &up, &stands);
+        self.gravity = gravity;
         if !whole || found.is_empty() {
             return None;
         }
@@ -115,4 +121,30 @@ impl SceneReader<'_> {
         let based = loaded.and_then(|figure| figure.on_base(base).map_err(|why| format!("'{name}': {why}")));
         based.map_err(|why| self.reader.fault(path.span.clone(), why)).ok()
     }
+}
+
+/// Gravity where the scene does not say it: that of the figures' files, but where somebody stands among them whose file says none, as people's do.
+fn usual_gravity(figures: &[Figure]) -> Vector3<f64> {
+    let own: Option<Vec<Vector3<f64>>> = figures.iter().map(|figure| figure.gravity().copied()).collect();
+    own.and_then(|own| own.first().copied()).unwrap_or(super::GRAVITY)
+}
+
+/// How a figure with a gravity of its own is turned to stand where `up` is up: not at all where the same axis is, more or less, up for both; else so that axes
+/// go round, x to z, y to x and z to y where its z is up and y is the scene's, for who has z up has x forward, and who has y up has z forward.
+fn stood_up(gravity: &Vector3<f64>, up: &Unit<Vector3<f64>>) -> UnitQuaternion<f64> {
+    let axis = |v: &Vector3<f64>| {
+        let i = v.iamax();
+        Vector3::ith(i, v[i].signum())
+    };
+    let (own, up) = (-axis(gravity), axis(up));
+    if gravity.norm_squared() == 0.0 || own == up {
+        return UnitQuaternion::identity();
+    }
+    let round = Rotation3::from_matrix_unchecked(Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0));
+    let round = UnitQuaternion::from_rotation_matrix(&round);
+    [round, round.inverse()]
+        .into_iter()
+        .find(|turn| (turn * own - up).norm() < 1e-9)
+        .or_else(|| UnitQuaternion::rotation_between(&own, &up))
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI))
 }

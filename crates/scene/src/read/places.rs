@@ -21,16 +21,19 @@ struct Said<'n> {
     span: Range<usize>,
     own: Placement,
     beside: Option<&'n str>,
+    /// How the figure is turned there, which those beside it are not.
+    turned: Option<UnitQuaternion<f64>>,
 }
 
 impl SceneReader<'_> {
     /// The places of the members, `{"bob": (at: (0, 0, 1.5), facing: deg(180))}`: an angle about the direction against gravity, to the left;
-    /// both as `beside` has them, where that is said.
+    /// both as `beside` has them, where that is said, and the figure itself `turned` there, any way, or as its own `stands` beside the others.
     pub(super) fn places(
         &mut self,
         fields: &Fields<'_, '_>,
         members: &[Member],
         up: &Unit<Vector3<f64>>,
+        stands: &[UnitQuaternion<f64>],
     ) -> Vec<Placement> {
         let mut said: HashMap<&str, Said<'_>> = HashMap::new();
         let crowds =
@@ -50,7 +53,18 @@ impl SceneReader<'_> {
         let mut round: Vec<(Range<usize>, String)> = places.rounds();
         round.sort_by_key(|(span, _)| span.start);
         if round.is_empty() {
-            return members.iter().map(|member| places.of(&member.name)).collect();
+            let mut found = Vec::with_capacity(members.len());
+            for (Member { name, .. }, stands) in members.iter().zip(stands) {
+                let turned = places.said.get(name.as_str()).and_then(|said| said.turned);
+                if turned.is_none() && *stands != UnitQuaternion::identity() {
+                    self.stood.push(format!(
+                        "'{name}' is stood upright, for in its file another way is up than in the scene; places: {{\"{name}\": (turned: …)}} turns it \
+                         otherwise"
+                    ));
+                }
+                found.push(places.of(name) * turned.unwrap_or(*stands));
+            }
+            return found;
         }
         for (span, message) in round {
             self.reader.fault(span, message);
@@ -64,15 +78,17 @@ impl SceneReader<'_> {
         names: &[&str],
         up: &Unit<Vector3<f64>>,
     ) -> Option<Said<'n>> {
-        let place = self.reader.fields(value, &["Place"], &["at", "facing", "beside"])?;
+        let place = self.reader.fields(value, &["Place"], &["at", "facing", "beside", "turned"])?;
         let at = place.get("at").map_or(Some(Vector3::zeros()), |node| self.reader.vector(node, "at"));
         let facing = place.get("facing").map_or(Some(0.0), |node| self.reader.angle(node, "facing"));
         let beside = place.get("beside").map(|node| self.known_figure(node, names));
+        let turned = place.get("turned").map(|node| self.reader.rotation(node));
         let own = Placement::from_parts(at?.into(), UnitQuaternion::from_axis_angle(up, facing?));
         Some(Said {
             span: value.span.clone(),
             own,
             beside: beside.map_or(Some(None), |beside| beside.map(Some))?,
+            turned: turned.map_or(Some(None), |turned| turned.map(Some))?,
         })
     }
 

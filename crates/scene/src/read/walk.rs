@@ -6,6 +6,7 @@ use super::segments::Written;
 use super::{GRAVITY, SceneReader};
 use crate::member::Member;
 use crate::scene::Walked;
+use nalgebra::Vector3;
 use solaris_gait::{GaitError, RequestError, WalkGround, WalkSegment, WalkSequence};
 use solaris_model::text::{ExpectedKind, Fields, Node};
 use solaris_model::{Figure, Known, Motion, MotionError, MotionInfo, Placement, Trajectory};
@@ -205,6 +206,11 @@ impl SceneReader<'_> {
             let message = format!(
                 "over a slope, stairs or a relief a walk goes along z from the world's origin on; leave '{name}' out of 'places'"
             );
+            self.reader.fault(key.span.clone(), message);
+            return false;
+        }
+        if (member.place.rotation * Vector3::y() - Vector3::y()).norm() > 1e-9 {
+            let message = format!("a walk begins upright; leave 'turned' out of the place of '{name}'");
             self.reader.fault(key.span.clone(), message);
             return false;
         }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
-use solaris_model::Figure;
+use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec};
 use solaris_scene::{Loader, NoFiles, Scene, read};
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -119,6 +119,72 @@ fn figures_stand_beside_one_another() {
         let _ = write!(said, "{places}\n{}\n\n", placed(places).expect_err("refused"));
     }
     insta::assert_snapshot!(said);
+}
+
+/// A loader of one robot whose file has z up and x forward.
+struct Robot;
+
+impl Loader for Robot {
+    fn figure(&mut self, _: &str) -> Result<Figure, String> {
+        let mast = LinkSpec::root("mast", Joint::new("mast")).mass(2.0).com(Vector3::new(0.1, 0.0, 0.5));
+        let arm = Joint::new("arm").at(Vector3::new(0.0, 0.0, 1.0)).ry();
+        let arm = LinkSpec::child("arm", "mast", arm).mass(1.0).com(Vector3::new(0.5, 0.0, 0.0));
+        let builder = FigureBuilder::new("robot").gravity(Vector3::new(0.0, 0.0, -9.81)).link(mast).link(arm);
+        builder.build().map_err(|error| error.to_string())
+    }
+}
+
+/// A robot whose file has z up stands beside people, faces as they do, and its dynamics are those that it has alone.
+#[test]
+fn a_robot_with_z_up_stands_upright_beside_people() {
+    let scene = |figures: &str, fields: &str| {
+        let text = format!("Scene(version: 1, duration: 0.5, figures: {{{figures}}}, {fields})");
+        read(&text, &mut Robot).map_err(|error| error.to_string())
+    };
+    let ann = "\"ann\": Human(height: 1.75, mass: 73)";
+    let robot = "\"robot\": File(\"robot.urdf\")";
+    let alone = scene(robot, "method: RungeKutta4(step: 1e-3)").expect("a scene");
+    assert_eq!(*alone.simulation().gravity(), Vector3::new(0.0, 0.0, -9.81));
+    let alone = alone.simulation().run(&alone.settings().clone()).expect("runs").motion;
+    for (both, first) in [(format!("{robot}, {ann}"), true), (format!("{ann}, {robot}"), false)] {
+        let fields = "method: RungeKutta4(step: 1e-3), drives: {\"ann.*\": Frozen}, gravity: (0, -9.81, 0), places: {\"robot\": (at: (1, 0, 0.5))}";
+        let scene = scene(&both, fields).expect("a scene");
+        let figure = scene.figure();
+        let tree = Tree::<f64>::new(figure, Vector3::zeros()).expect("a tree");
+        let mut workspace = Workspace::new(&tree);
+        forward_kinematics(&tree, &mut workspace, scene.simulation().state().0).expect("finite");
+        let pose = workspace.pose(figure.link_index("robot.mast").expect("a link"));
+        // Its x is forward, its z up.
+        let com = pose.transform(&Vector3::new(0.1, 0.0, 0.5));
+        assert!((com - Vector3::new(1.0, 0.5, 0.6)).norm() < 1e-12, "{com}");
+        assert!(scene.notes().iter().any(|note| note.starts_with("'robot' is stood upright")));
+        let motion = scene.simulation().run(&scene.settings().clone()).expect("runs").motion;
+        let arm = figure.layout().dof_index("robot.arm.ry").expect("a joint");
+        for frame in 0..motion.len() {
+            assert!((motion.q(frame)[arm] - alone.q(frame)[0]).abs() < 1e-12, "{first} {frame}");
+        }
+    }
+    // People say which way is up where the scene does not.
+    let mixed = scene(&format!("{robot}, {ann}"), "drives: {\"*\": Frozen}").expect("a scene");
+    assert_eq!(*mixed.simulation().gravity(), Vector3::new(0.0, -9.80665, 0.0));
+    // Turned as the scene says: on its side, and not where that is not upright for who walks.
+    let lies = "drives: {\"*\": Frozen}, places: {\"robot\": (turned: About(axis: (1, 0, 0), angle: 0))}";
+    let scene_of = scene(&format!("{robot}, {ann}"), lies).expect("a scene");
+    assert!(scene_of.notes().is_empty(), "{:?}", scene_of.notes());
+    let walks =
+        "walk: {\"ann\": Walk(steps: 4)}, places: {\"ann\": (turned: About(axis: (1, 0, 0), angle: 1))}";
+    let error = scene(&format!("{robot}, {ann}"), walks).expect_err("refused");
+    assert!(error.contains("a walk begins upright; leave 'turned' out of the place of 'ann'"), "{error}");
+}
+
+/// One figure is turned too, and who stands beside it is not.
+#[test]
+fn a_figure_is_turned_where_it_stands() {
+    let found = placed("{\"a\": (at: (0, 1, 0), turned: About(axis: (0, 0, 1), angle: deg(90))), \"b\": (beside: \"a\", at: (0, 0, 1))}")
+        .expect("places");
+    // Half a metre along what was its x.
+    assert!((found[0] - Vector3::new(0.0, 1.5, 0.0)).norm() < 1e-12, "{}", found[0]);
+    assert!((found[1] - Vector3::new(0.5, 1.0, 1.0)).norm() < 1e-12, "{}", found[1]);
 }
 
 #[test]
