@@ -314,6 +314,11 @@ impl<T: Elementary> Body<T> {
         }
     }
 
+    /// What limits give up that come back to where they begin faster than what they limit (W).
+    pub(crate) fn slackens(&self, q: &[T], v: &[T]) -> T {
+        self.stops.iter().fold(T::zero(), |sum, stop| sum + stop.slackens(q, v))
+    }
+
     /// Prepares [`columns`](Self::columns) at `q`.
     pub(crate) fn joint_jacobians(&mut self, q: &[T]) -> Result<(), DynamicsError> {
         joint_jacobians(&self.tree, &mut self.workspace, q)

@@ -35,8 +35,8 @@ pub(crate) enum Pushing {
     LetGo(Side),
 }
 
-/// How near, of 1 and of the limit, a position is at it: as near as an event is located.
-const NEAR: f64 = 1e-13;
+/// How near, of 1 and of the limit, a position is at it: as near as an event is located, early in a run.
+const NEAR: f64 = 1e-10;
 
 impl<T: Elementary> Stop<T> {
     /// Those of `figure` whose law, by degree of freedom, is a spring.
@@ -74,7 +74,7 @@ impl<T: Elementary> Stop<T> {
     /// Adds the force to `force`; what the damper takes (W).
     pub(super) fn act(&self, q: &[T], v: &[T], force: &mut [T]) -> T {
         let (side, pushes) = match self.held {
-            None => (pushing(self.limits, q[self.coordinate].value(), v[self.dof].value()), true),
+            None => (pushing(self.limits, q[self.coordinate].value(), v[self.dof].value(), 0.0), true),
             Some(Pushing::Inside) => (None, false),
             Some(Pushing::Back(side)) => (Some(side), true),
             Some(Pushing::LetGo(side)) => (Some(side), false),
@@ -91,7 +91,7 @@ impl<T: Elementary> Stop<T> {
 
     /// How it holds back where it pushes: `each(dof, c, k)`.
     pub(super) fn holds_back(&self, q: &[T], v: &[T], mut each: impl FnMut(usize, T, T)) {
-        let Some(side) = pushing(self.limits, q[self.coordinate].value(), v[self.dof].value()) else {
+        let Some(side) = pushing(self.limits, q[self.coordinate].value(), v[self.dof].value(), 0.0) else {
             return;
         };
         let (depth, outwards) = self.depth(q, side);
@@ -100,9 +100,19 @@ impl<T: Elementary> Stop<T> {
         }
     }
 
+    /// What a spring gives up that pushes nothing, for its damper would pull (W).
+    pub(super) fn slackens(&self, q: &[T], v: &[T]) -> T {
+        let Some(side) = pushing(self.limits, q[self.coordinate].value(), v[self.dof].value(), 0.0) else {
+            return T::zero();
+        };
+        let (depth, outwards) = self.depth(q, side);
+        let (spring, rate) = (self.stiffness * depth, v[self.dof] * outwards);
+        if (spring + self.damping * rate).value() > 0.0 { T::zero() } else { -spring * rate }
+    }
+
     /// What is in the spring (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
-        let Some(side) = pushing(self.limits, q[self.coordinate].value(), 0.0) else { return T::zero() };
+        let Some(side) = pushing(self.limits, q[self.coordinate].value(), 0.0, 0.0) else { return T::zero() };
         let (depth, _) = self.depth(q, side);
         T::from_f64(0.5) * self.stiffness * depth * depth
     }
@@ -117,9 +127,9 @@ impl<T: Elementary> Stop<T> {
     }
 }
 
-/// Beyond which limit a position is with its velocity, if beyond any: what is at one but for rounding and on its way out is.
-pub(crate) fn pushing(Limits { lower, upper }: Limits, q: f64, rate: f64) -> Option<Side> {
-    let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) } else { 0.0 };
+/// Beyond which limit a position is with its velocity, if beyond any: what is at one but for rounding, and for some more, and on its way out is.
+pub(crate) fn pushing(Limits { lower, upper }: Limits, q: f64, rate: f64, more: f64) -> Option<Side> {
+    let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) + more } else { 0.0 };
     if q > upper + near(upper) || (q > upper - near(upper) && rate > 0.0) {
         Some(Side::Upper)
     } else if q < lower - near(lower) || (q < lower + near(lower) && rate < 0.0) {

@@ -28,6 +28,9 @@ const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 /// How fast (m/s or rad/s) what begins in the ground or beyond a limit is brought out.
 const RECOVERY: f64 = 0.1;
 
+/// The least part of a step within which loops draw together what has come apart.
+const LEAST_PART: f64 = 0.1;
+
 /// What a step by impulses needs, kept from step to step.
 #[derive(Clone)]
 pub(super) struct Impulses {
@@ -243,7 +246,9 @@ impl Impulses {
             }
         }
         let (rows, sought) = (&mut self.rows, Sought { places: &self.places, given: &self.free });
-        self.loops.hold(&side.body, rows, sought, &mut self.convex, (self.begun, h));
+        // What came apart over a step is not to be drawn together in the moment before an event.
+        let within = h.max(LEAST_PART * self.step);
+        self.loops.hold(&side.body, rows, sought, &mut self.convex, (self.begun, h, within));
         let of_limits = self.allowed.len() - 2 * self.limits.len();
         let pairs = self.allowed[of_limits..].chunks_exact_mut(2);
         for (limited, allowed) in self.limits.iter().zip(pairs) {
@@ -482,6 +487,7 @@ impl Small {
         y: &[f64],
         next: &mut [f64],
     ) -> Result<(), DynamicsError> {
+        next.copy_from_slice(y);
         self.find_impulses(prescribed, (t, y), Some(h))?;
         let Self { maps, numbers, impulses, .. } = self;
         let Some(impulses) = impulses else { return Ok(()) };
@@ -491,7 +497,6 @@ impl Small {
         }
         impulses.loops.draw(RECOVERY * h);
         let (positions, accounts) = (state.positions(), state.accounts());
-        next.copy_from_slice(y);
         for (next, v) in next[positions..accounts].iter_mut().zip(impulses.convex.v.iter().rev()) {
             *next = *v;
         }
@@ -513,7 +518,7 @@ impl Small {
             body.inverse(q, v, a, &impulses.on_links, &mut impulses.tau)?;
         }
         // Dampers with the velocity at the end of the step, over the way of the step.
-        let (mut work, mut heat) = (0.0, 0.0);
+        let (mut work, mut heat) = (0.0, h * numbers.body.slackens(&numbers.q, &numbers.v));
         for (k, force) in numbers.tau.iter().enumerate() {
             let (mean, end) = (numbers.v[k] + 0.5 * h * numbers.a[k], numbers.v[k] + h * numbers.a[k]);
             let (damping, stiffness) = impulses.led[k];

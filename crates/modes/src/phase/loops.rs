@@ -94,10 +94,10 @@ impl Loops {
     }
 
     /// Adds their conditions at the poses, velocities and accelerations that `body` has, for a step of `h` (s); the accelerations are
-    /// those without any of the joints.
+    /// those without any of the joints. What is apart comes together `within` a time `T`.
     ///
     /// ```text
-    /// u = J₁·v − J₂·v        û = −(x₁ − x₂)/h − h·(J̇₁·v − J̇₂·v)/2
+    /// u = J₁·v − J₂·v        û = −(x₁ − x₂)/T − h·(J̇₁·v − J̇₂·v)/2
     /// ```
     ///
     /// Points go along arcs: what these are off their tangents in the step is foreseen.
@@ -107,12 +107,13 @@ impl Loops {
         rows: &mut Rows,
         sought: Sought<'_>,
         convex: &mut Convex,
-        (begun, h): (bool, f64),
+        (begun, h, within): (bool, f64, f64),
     ) {
         for closed in &mut self.0 {
             closed.place(body, begun);
             let arcs = closed.arcs(body);
-            let targets = [0, 1].map(|i| (closed.allowed[i] - closed.apart[i]) / h - arcs[i] * (0.5 * h));
+            let targets =
+                [0, 1].map(|i| (closed.allowed[i] - closed.apart[i]) / within - arcs[i] * (0.5 * h));
             for (end, (point, sign)) in closed.ends.iter().zip(closed.points.iter().zip([1.0, -1.0])) {
                 if let Some((_, link)) = end.link {
                     rows.add_point(body, (link, point), &WORLD, sign);

@@ -81,6 +81,10 @@ impl Pass {
             watch(Watched::Gap { touch, below: 0.0 }, Meaning::Kink);
         }
         phase.watch(watched, sides)?;
+        if self.by_impulses() {
+            // Steps do not end at limits: each asks the state which of them push.
+            return Ok(meanings);
+        }
         for dof in 0..self.driven.len() {
             let pushing = match self.passed_limit(dof) {
                 None => Pushing::Inside,
@@ -103,7 +107,8 @@ impl Pass {
         points.filter(|(_, point)| parts[point.link].is_some()).map(|(touch, _)| touch).collect()
     }
 
-    /// Notes which limits that push back have let go. At the zero of the push its sign does not say it; the event before does.
+    /// Notes which limits that push back have let go: what comes back from beyond one so fast that its damper would pull. At the zero of the push its sign does not
+    /// say it; the event before does. What goes outwards is pushed, though it be inside by a rounding.
     pub(crate) fn note_pushes(&mut self, events: &[Meaning]) {
         for dof in 0..self.driven.len() {
             let Some((side, Watched::Push { limit, stiffness, damping, .. })) = self.passed_limit(dof) else {
@@ -116,7 +121,7 @@ impl Pass {
             if events.contains(&Meaning::Push(dof)) {
                 self.driven[dof].lets_go = !self.driven[dof].lets_go;
             } else if push.abs() > 1e-9 * (spring.abs() + damper.abs()) {
-                self.driven[dof].lets_go = push < 0.0;
+                self.driven[dof].lets_go = push < 0.0 && side.outward() * self.v[dof] < 0.0;
             }
         }
     }
@@ -126,14 +131,16 @@ impl Pass {
         let LimitLaw::Spring { stiffness, damping } = self.simulation.limits[dof] else { return None };
         let coordinate = self.simulation.figure.layout().coordinate(dof)?;
         let limits = self.limits_of(dof).filter(|_| self.driven[dof].role() == Role::Dynamic)?;
-        let side = pushing(limits, self.q[coordinate], self.v[dof])?;
+        // Times are rounded, and events with them.
+        let rounded = 64.0 * f64::EPSILON * self.t * self.v[dof].abs();
+        let side = pushing(limits, self.q[coordinate], self.v[dof], rounded)?;
         let limit = if side == Side::Upper { limits.upper } else { limits.lower };
         Some((side, Watched::Push { dof, limit, outwards: side.outward(), stiffness, damping }))
     }
 
     fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
         let law = self.simulation.limits[dof];
-        if self.by_impulses() && matches!(law, LimitLaw::Hard { .. }) {
+        if self.by_impulses() {
             return;
         }
         let Some(limits) = self.limits_of(dof).filter(|_| law != LimitLaw::Ignore) else { return };

@@ -1,4 +1,5 @@
 //! The ground in simulation: springs, dampers and friction.
+mod agreement;
 mod awaited;
 mod friction;
 mod impulses;

@@ -311,3 +311,35 @@ fn a_knee_that_snaps_straight_takes_the_thigh_along() {
     assert!(energy.imbalance < 1e-7, "{energy:?}");
     assert!(energy.impacts >= first.loss && first.loss > 0.01, "{energy:?}");
 }
+
+/// Springs without dampers take nothing, however often they are met, and are met at the same instants by all methods: a pendulum between two of them for a minute and a half, with
+/// thousands of touches, of which each is located a rounding inside of the limit or outside of it.
+#[test]
+fn springs_without_dampers_push_at_every_touch() {
+    let hinge = Joint::new("hinge").rx().limited(-0.3, 0.4);
+    let rod = LinkSpec::root("rod", hinge).mass(1.0).com(Vector3::y() * -0.3);
+    let figure = FigureBuilder::new("pendulum").link(rod).build().expect("valid");
+    for stiffness in [50.0, 4000.0] {
+        let mut simulation = Simulation::new(&figure, Vector3::y() * -9.81);
+        simulation.set_start(&[0.0], &[4.0]).expect("valid");
+        simulation.set_limits(LimitLaw::Spring { stiffness, damping: 0.0 }).expect("valid");
+        for (method, lost) in [
+            (Method::Adaptive { tolerance: 1e-6 }, 1e-2),
+            (Method::Adaptive { tolerance: 1e-9 }, 1e-5),
+            (Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 }, 2e-2),
+        ] {
+            let settings = Settings { method, estimate: false, ..Settings::new(90.0, 100.0) };
+            let run = simulation.run(&settings).expect("runs");
+            let out = (0..run.motion.len()).map(|k| {
+                let q = run.motion.q(k)[0];
+                (-0.3 - q).max(q - 0.4)
+            });
+            // From energy: ½·m·l²·ω² = ½·k·x² + m·g·l·(1 − cos q), x no more than without gravity.
+            let deepest = 4.0 * 0.3 / f64::sqrt(stiffness);
+            let out = out.fold(0.0, f64::max);
+            assert!(out < deepest, "{stiffness} {method:?}: {out} m beyond, of {deepest}");
+            assert!(run.report.cost.counts.events > 500, "{:?}", run.report.cost);
+            assert!(run.report.energy.imbalance < lost * run.report.energy.scale, "{:?}", run.report.energy);
+        }
+    }
+}

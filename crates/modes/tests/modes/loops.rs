@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
-use solaris_modes::{Anchor, Loop, LoopKind, Method, Rule, Run, Settings, Simulation};
+use solaris_modes::{Anchor, LimitLaw, Loop, LoopKind, Method, Rule, Run, Settings, Simulation};
 
 pub(crate) const G: f64 = 9.81;
 
@@ -194,4 +194,41 @@ fn loops_of_nothing_are_refused() {
         "a point of a loop is inf; it must be finite numbers"
     );
     simulation.add_loop(Loop::new([of(Some(1), 0.0), of(None, 0.0)], LoopKind::Weld)).expect("valid");
+}
+
+/// Both cranks of a parallelogram come to springs at the same instant, over and over: what forces find, with less of an error in smaller steps, and the energy balances.
+#[test]
+fn limits_with_springs_that_are_met_together_need_no_events() {
+    let rod_to = |name: &str, at: f64| {
+        let joint = Joint::new(name).at(Vector3::x() * at).rz().limited(-0.4, 2.0);
+        rod(LinkSpec::child(name, "frame", joint))
+    };
+    let coupler = LinkSpec::child("coupler", "first", Joint::new("coupler").at(Vector3::y() * -0.5).rz());
+    let figure = FigureBuilder::new("four-bar")
+        .link(LinkSpec::root("frame", Joint::new("frame")).mass(1.0))
+        .link(rod_to("first", 0.0))
+        .link(coupler.mass(2.0).com(Vector3::x() * 0.4).inertia(Inertia::diagonal(1e-4, 0.1, 0.1)))
+        .link(rod_to("second", 0.8))
+        .build()
+        .expect("valid");
+    for damping in [0.0, 1e-3, 2.0] {
+        let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
+        simulation.set_start(&[1.0, -1.0, 1.0], &[0.0; 3]).expect("valid");
+        let ends = [("coupler", Vector3::x() * 0.8), ("second", Vector3::y() * -0.5)];
+        simulation.add_loop(closed(&figure, LoopKind::Connect, ends)).expect("valid");
+        for dof in ["first.rz", "second.rz"] {
+            simulation.set_limit(dof, LimitLaw::Spring { stiffness: 400.0, damping }).expect("valid");
+        }
+        let exact = Settings { method: Method::Automatic { tolerance: 1e-8 }, ..Settings::new(3.0, 100.0) };
+        let exact = simulation.run(&exact).expect("runs").motion;
+        let off = |step: f64| {
+            let run = simulation.run(&settings(3.0, step)).expect("runs");
+            let energy = &run.report.energy;
+            assert!(energy.imbalance < 150.0 * step * energy.scale, "{damping} {step}: {energy:?}");
+            let off = (0..run.motion.len()).map(|k| (run.motion.q(k)[0] - exact.q(k)[0]).abs());
+            off.fold(0.0, f64::max)
+        };
+        let [coarse, fine] = [1e-3, 1e-4].map(off);
+        assert!(fine < 0.02 && fine < 0.3 * coarse, "{damping}: {coarse} {fine}");
+    }
 }

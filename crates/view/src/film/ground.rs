@@ -9,6 +9,8 @@ use solaris_model::{Motion, Relief};
 /// Distance of the grid's lines (m), and how far it goes about the figure, in the figure's own size.
 const CELL: f64 = 0.5;
 const AROUND: f64 = 2.0;
+/// Between the numbers of metres (px).
+const APART: f64 = 4.0;
 
 /// Heights of the ground along the page's z (m).
 pub(super) struct Ground<'a> {
@@ -49,14 +51,20 @@ impl<'a> Ground<'a> {
         let area: Vec<Point> = line.iter().copied().chain([(last, bottom), (first, bottom)]).collect();
         picture.line("floor", &area);
         picture.line("zero", &line);
-        for metre in from.ceil() as i64..=to.floor() as i64 {
+        let label = |metre: i64| format!("{metre} m").replace('-', "−");
+        let (nearest, farthest) = (from.ceil() as i64, to.floor() as i64);
+        let widest = width(&label(nearest), LETTERS).max(width(&label(farthest), LETTERS));
+        // As many numbers as there is room for.
+        let steps = (0..9).flat_map(|power| [1, 2, 5].map(|first| first * 10_i64.pow(power)));
+        let every = steps.into_iter().find(|step| *step as f64 * lens.scale > widest + APART).unwrap_or(1);
+        for metre in nearest..=farthest {
             let (x, y) = at(metre as f64, self.height(metre as f64));
             picture.line("zero", &[(x, y), (x, y + 4.0)]);
-            let text = format!("{metre} m").replace('-', "−");
+            let text = label(metre);
             let half = 0.5 * width(&text, LETTERS);
             // Below the lowest step that it reaches.
             let line = at(0.0, self.lowest(metre as f64, half / lens.scale)).1 + 5.0 + SMALL;
-            if x - half > first && x + half < last && line < bottom {
+            if metre % every == 0 && x - half > first && x + half < last && line < bottom {
                 picture.text("small middle", (x, line), &text);
             }
         }
