@@ -1,8 +1,9 @@
-//! What frames of a walker that is steered cost, and a picture of one.
+//! What frames of a walker that is steered cost, and pictures of one.
 
 use crate::table::replace;
 use crate::workspace::{read, write};
-use solaris_gait::{Command, Walker};
+use solaris_analysis::Goal;
+use solaris_gait::{Command, LiveError, Walker};
 use solaris_model::{Figure, Human, Motion, MotionInfo, RootOrder, Vector3};
 use solaris_modes::time::Stepping;
 use solaris_modes::{ContactLaw, GroundPlane, Simulation, contact_points};
@@ -12,8 +13,11 @@ use std::time::Instant;
 
 const PAGE: &str = "docs/live.md";
 const STRIP: &str = "docs/strips/live.svg";
+const REACH: &str = "docs/strips/live-reach.svg";
 /// Frames a second, and the seconds that are driven.
 const RATE: f64 = 60.0;
+/// In the frame of a hand (m).
+const PALM: Vector3<f64> = Vector3::new(0.0, -0.08, 0.0);
 const DRIVEN: f64 = 600.0;
 /// How often all frames are made.
 const ROUNDS: usize = 4;
@@ -22,14 +26,15 @@ const FALLS: f64 = 4.0;
 /// Walkers of a crowd, and for how long (s).
 const CROWD: (usize, f64) = (100, 20.0);
 
-/// Writes both.
+/// Writes all of it.
 pub(crate) fn run() -> Result<(), String> {
     let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().map_err(|error| error.to_string())?;
     let (table, physics) = (cost(&figure)?, limp()?);
     println!("{table}\n\n{physics}");
     let page = replace(&read(PAGE)?, "cost", &table)?;
     write(PAGE, &replace(&page, "physics", &physics)?)?;
-    write(STRIP, &strip(&figure)?)
+    write(STRIP, &strip(&figure, (2.2, 6.6), steered)?)?;
+    write(REACH, &strip(&figure, (1.5, 5.9), reaching)?)
 }
 
 /// Commands as somebody who plays gives them: another one every 1.3 s.
@@ -64,6 +69,7 @@ fn cost(figure: &Figure) -> Result<String, String> {
     times.sort_by(f64::total_cmp);
     let [median, hundredth, worst] =
         [times.len() / 2, times.len() * 99 / 100, times.len() - 1].map(|i| times[i]);
+    let [reach, forces] = beside(&walker)?;
     let (count, seconds) = CROWD;
     let mut walkers = vec![walker; count];
     let began = Instant::now();
@@ -77,10 +83,39 @@ fn cost(figure: &Figure) -> Result<String, String> {
     Ok(format!(
         "| | |\n|---|---|\n| `Walker::new`, once for all clones | {:.0} ms |\n| a frame at {RATE} Hz, planning included: mean | {mean:.1} µs |\n\
          | half of all frames | {median:.1} µs |\n| 99 of 100 | {hundredth:.0} µs |\n| the worst of {:.0} min | {worst:.0} µs |\n\
-         | {count} walkers at {RATE} Hz | {share:.1} % of one core |",
+         | {count} walkers at {RATE} Hz | {share:.1} % of one core |\n| more, a frame in which a hand reaches: mean | {reach:.1} µs |\n\
+         | more, the forces of a frame: mean | {forces:.1} µs |",
         1e3 * built,
         DRIVEN / 60.0
     ))
+}
+
+/// What a reach and forces add to a frame: means (µs).
+fn beside(walker: &Walker) -> Result<[f64; 2], String> {
+    let say = |error: &dyn std::fmt::Display| error.to_string();
+    let mut tau = vec![0.0; walker.configuration().len()];
+    let mut mean = |reaches: bool, asks: bool| -> Result<f64, String> {
+        let mut least = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let mut walker = walker.clone();
+            let began = Instant::now();
+            for frame in 0..(60.0 * RATE) as usize {
+                if reaches {
+                    let goal = Goal::Place(walker.com() + Vector3::new(-0.35, 0.0, 0.15));
+                    walker.reach("right_hand", PALM, &[], goal).map_err(|error| say(&error))?;
+                }
+                let command = command(frame as f64 / RATE, 0.0);
+                walker.step(1.0 / RATE, &command).map_err(|error| say(&error))?;
+                if asks {
+                    walker.forces(&mut tau).map_err(|error| say(&error))?;
+                }
+            }
+            least = least.min(1e6 * began.elapsed().as_secs_f64() / (60.0 * RATE));
+        }
+        Ok(least)
+    };
+    let alone = mean(false, false)?;
+    Ok([mean(true, false)? - alone, mean(false, true)? - alone])
 }
 
 /// What frames of somebody limp cost who falls, comes to lie and lies, by impulses: the least of some rounds of each, as above.
@@ -119,8 +154,36 @@ fn limp() -> Result<String, String> {
     Ok(rows)
 }
 
-/// A film strip of somebody who walks on, turns and stops.
-fn strip(figure: &Figure) -> Result<String, String> {
+/// Somebody walks on, turns and stops.
+fn steered(_: &mut Walker, time: f64) -> Result<Command, LiveError> {
+    Ok(match time {
+        t if t < 2.5 => Command::velocity(0.0, 1.2),
+        t if t < 5.5 => Command::velocity(1.2, 0.0),
+        _ => Command::stop(),
+    })
+}
+
+/// Somebody walks past a lamp that she looks at, with a hand on a rail for a while.
+fn reaching(walker: &mut Walker, time: f64) -> Result<Command, LiveError> {
+    let eyes = Vector3::new(0.0, 0.1, 0.08);
+    let lamp = Goal::Look { axis: Vector3::z_axis(), at: Vector3::new(1.2, 1.3, 4.5) };
+    if (2.0..5.0).contains(&time) {
+        walker.reach("head", eyes, &[], lamp)?;
+        let rail = Vector3::new(-0.4, 1.3, walker.com().z + 0.35);
+        walker.reach("right_hand", PALM, &[], Goal::Place(rail))?;
+    } else {
+        walker.withdraw("head")?;
+        walker.withdraw("right_hand")?;
+    }
+    Ok(Command::velocity(0.0, 1.1))
+}
+
+/// A film strip, of a part of nine seconds, of who does what `told` says in every frame.
+fn strip(
+    figure: &Figure,
+    between: (f64, f64),
+    mut told: impl FnMut(&mut Walker, f64) -> Result<Command, LiveError>,
+) -> Result<String, String> {
     let say = |error: &dyn std::fmt::Display| error.to_string();
     let mut walker = Walker::new(figure).map_err(|error| say(&error))?;
     let n = figure.layout().nq();
@@ -128,11 +191,7 @@ fn strip(figure: &Figure) -> Result<String, String> {
     let (mut v, mut a) = (vec![0.0; n], vec![0.0; n]);
     for frame in 0..(9.0 * RATE) as usize {
         let t = frame as f64 / RATE;
-        let command = match t {
-            t if t < 2.5 => Command::velocity(0.0, 1.2),
-            t if t < 5.5 => Command::velocity(1.2, 0.0),
-            _ => Command::stop(),
-        };
+        let command = told(&mut walker, t).map_err(|error| say(&error))?;
         let q = walker.step(1.0 / RATE, &command).map_err(|error| say(&error))?.to_vec();
         walker.derivatives(&mut v, &mut a).map_err(|error| say(&error))?;
         time.push(t);
@@ -142,6 +201,6 @@ fn strip(figure: &Figure) -> Result<String, String> {
     }
     let motion = Motion::new(figure, MotionInfo::on_earth(figure, RATE), time, columns);
     let motion = motion.map_err(|error| say(&error))?;
-    let options = FilmOptions { between: Some((2.2, 6.6)), seen: Seen::Corner, ..FilmOptions::default() };
+    let options = FilmOptions { between: Some(between), seen: Seen::Corner, ..FilmOptions::default() };
     film(figure, &motion, &options).map_err(|error| say(&error))
 }

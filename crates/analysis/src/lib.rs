@@ -37,7 +37,7 @@ pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};
 pub use prescribed::prescribed_reactions;
 pub use reach::{Goal, REACHED, Reach, ReachError, Reached};
-pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
+pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions, ground_reactions_under};
 pub use rooted::{RootReport, reactions_from_feet};
 pub use split::{FootSupport, split_at_pivot};
 pub use uncertainty::{

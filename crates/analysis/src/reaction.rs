@@ -92,9 +92,25 @@ impl Foot {
     }
 }
 
+/// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion, as [`ground_reactions_under`] does where nothing else acts.
+///
+/// # Errors
+///
+/// As there.
+#[doc(alias = "grf")]
+#[doc(alias = "ground reaction forces")]
+pub fn ground_reactions(
+    figure: &Figure,
+    motion: &mut Motion,
+    feet: [&str; 2],
+    law: &impl SupportLaw,
+) -> Result<ReactionReport, ReactionError> {
+    ground_reactions_under(figure, motion, feet, law, &[])
+}
+
 /// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion.
 ///
-/// Contacts of other links that the motion has act as well, and the feet have what is left of the whole wrench.
+/// `acting` is what acts on links besides, frame by frame: pushes and springs, each with its link and about the world's origin (N, N m); frames beyond its end have nothing. Contacts of other links that the motion has act as well, and the feet have what is left of the whole wrench.
 ///
 /// The contacts carry the feet's names, whichever link of the foot the wrench acts on: the toes, once the centre of
 /// pressure has passed the ball. Frames are independent of each other and solved on all cores where the feature
@@ -103,13 +119,12 @@ impl Foot {
 /// # Errors
 ///
 /// A motion of another figure, links that are no feet, and a motion that needs a ground that pulls.
-#[doc(alias = "grf")]
-#[doc(alias = "ground reaction forces")]
-pub fn ground_reactions(
+pub fn ground_reactions_under(
     figure: &Figure,
     motion: &mut Motion,
     feet: [&str; 2],
     law: &impl SupportLaw,
+    acting: &[Vec<(usize, Wrench<f64>)>],
 ) -> Result<ReactionReport, ReactionError> {
     let prepared = PreparedMotion::new(figure, motion)?;
     if prepared.up.norm_squared() == 0.0 {
@@ -120,7 +135,7 @@ pub fn ground_reactions(
     }
     let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
     let others = others(figure, motion, &feet);
-    let scene = Scene { prepared: &prepared, feet: &feet, others: &others, law };
+    let scene = Scene { prepared: &prepared, feet: &feet, others: &others, acting, law };
     let frames = each(
         0..motion.len(),
         || Workspace::new(&prepared.tree),
@@ -181,6 +196,8 @@ struct Scene<'a, L> {
     feet: &'a [Foot; 2],
     /// Links with contacts that are known.
     others: &'a [(usize, &'a ContactTrack)],
+    /// What acts on links besides, frame by frame.
+    acting: &'a [Vec<(usize, Wrench<f64>)>],
     law: &'a L,
 }
 
@@ -197,6 +214,7 @@ impl<L: SupportLaw> Scene<'_, L> {
             let Contact { force, moment, .. } = *track.samples.get(row)?;
             Some((*link, Wrench { force, moment }))
         });
+        let known = known.chain(self.acting.get(row).into_iter().flatten().copied());
         let react = |workspace: &Workspace<f64>, com: &Vector3<f64>| {
             let mut total = workspace.base_wrench();
             let mut all: Vec<(usize, Wrench<f64>)> = known.collect();

@@ -319,6 +319,19 @@ impl<T: Elementary> Body<T> {
         self.stops.iter().fold(T::zero(), |sum, stop| sum + stop.slackens(q, v))
     }
 
+    /// What springs between points and pushes do to links in a state, about the world's origin.
+    pub(crate) fn acting(&mut self, q: &[T], v: &[T]) -> Result<&[(usize, Wrench<T>)], DynamicsError> {
+        self.external.clear();
+        velocities(&self.tree, &mut self.workspace, q, v)?;
+        for spring in &self.points {
+            spring.act(&self.workspace, &mut self.external);
+        }
+        for push in &self.pushes {
+            self.external.push(push.wrench(&self.workspace));
+        }
+        Ok(&self.external)
+    }
+
     /// Prepares [`columns`](Self::columns) at `q`.
     pub(crate) fn joint_jacobians(&mut self, q: &[T]) -> Result<(), DynamicsError> {
         joint_jacobians(&self.tree, &mut self.workspace, q)

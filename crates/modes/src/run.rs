@@ -366,6 +366,29 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
     ErrorEstimate { position: factor * difference.position, velocity: factor * difference.velocity }
 }
 
+impl Simulation {
+    /// What springs between points and pushes do to links in the frames of a motion of the figure: links and wrenches about the world's origin (N, N m), of which each
+    /// frame has equally many. What the ground, other links and loops do, a run's motion has among its contacts; a blow in an instant is no force.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure.
+    pub fn acting(&self, motion: &Motion) -> Result<Vec<Vec<(usize, Wrench<f64>)>>, RunError> {
+        motion.check_figure(&self.figure).map_err(SetupError::from)?;
+        let thrusts = pushes::thrusts(self)?;
+        let mut body = LoadedBody::new(self, true)?.body;
+        let frame = |frame: usize| {
+            let time = motion.time()[frame];
+            for (push, force) in pushes::after(&thrusts, time) {
+                body.set_push(push, &force);
+            }
+            let acting = body.acting(motion.q(frame), motion.v(frame));
+            acting.map(<[_]>::to_vec).map_err(|error| guard::of_dynamics(time, error).into())
+        };
+        (0..motion.len()).map(frame).collect()
+    }
+}
+
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 ///
 /// `acting` is what acts on links in a frame besides (N, N m, about the world's origin): the ground on what stands on it, and links on

@@ -1,5 +1,6 @@
 //! One figure of several: what of the whole is its own, and where it stands.
 
+use solaris_dynamics::Wrench;
 use solaris_model::{
     Contact, ContactTrack, Event, EventKind, Figure, Interval, Known, Motion, MotionError, Placement,
 };
@@ -55,6 +56,14 @@ impl Member {
     /// Its part of a motion of all, as it would be alone at the world's origin.
     pub(crate) fn part(&self, motion: &Motion) -> Result<Motion, MotionError> {
         self.part_of(motion, &self.figure, &self.place.inverse())
+    }
+
+    /// What acts on its links of what acts on links of the whole, as it would be alone at the world's origin.
+    pub(crate) fn acting(&self, all: &[(usize, Wrench<f64>)]) -> Vec<(usize, Wrench<f64>)> {
+        let back = self.place.inverse();
+        let links = self.link..self.link + self.figure.links().len();
+        let own = all.iter().filter(|(link, _)| links.contains(link));
+        own.map(|(link, wrench)| (link - self.link, moved_wrench(wrench, &back))).collect()
     }
 
     /// Itself where it stands, with its part of a motion of all.
@@ -152,10 +161,16 @@ impl Member {
 }
 
 /// Contacts elsewhere: their forces turned, and moments about the world's origin.
+/// A wrench about the world's origin, of links that are all brought by a placement.
+fn moved_wrench(wrench: &Wrench<f64>, place: &Placement) -> Wrench<f64> {
+    let force = place.rotation * wrench.force;
+    Wrench { force, moment: place.rotation * wrench.moment + place.translation.vector.cross(&force) }
+}
+
 fn moved(samples: &[Contact], place: &Placement) -> Vec<Contact> {
     let one = |contact: &Contact| {
-        let force = place.rotation * contact.force;
-        let moment = place.rotation * contact.moment + place.translation.vector.cross(&force);
+        let Wrench { force, moment } =
+            moved_wrench(&Wrench { force: contact.force, moment: contact.moment }, place);
         let is_none = contact.force.norm_squared() == 0.0;
         // Without a force there is no centre of pressure.
         let cop = if is_none { contact.cop } else { place.transform_point(&contact.cop.into()).coords };

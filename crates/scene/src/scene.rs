@@ -54,10 +54,18 @@ pub struct Simulated {
 
 impl Walked {
     /// What the ground does under the feet of who walks, into the motion of all.
-    fn reactions(&self, figure: &Figure, motion: &mut Motion) -> Result<ReactionReport, ReactionError> {
-        let Some(member) = &self.of else { return ground_reactions(figure, motion, FEET, &*self.plan) };
+    fn reactions(
+        &self,
+        figure: &Figure,
+        motion: &mut Motion,
+        acting: &[Vec<(usize, Wrench<f64>)>],
+    ) -> Result<ReactionReport, ReactionError> {
+        let Some(member) = &self.of else {
+            return ground_reactions_under(figure, motion, FEET, &*self.plan, acting);
+        };
         let mut part = member.part(motion)?;
-        let own = ground_reactions(&member.figure, &mut part, FEET, &*self.plan)?;
+        let own: Vec<_> = acting.iter().map(|frame| member.acting(frame)).collect();
+        let own = ground_reactions_under(&member.figure, &mut part, FEET, &*self.plan, &own)?;
         member.put_back(&part, motion)?;
         Ok(own)
     }
@@ -153,11 +161,12 @@ impl Scene {
         motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         motion.info.ground = Some(Ground { height: 0.0, friction: self.friction });
         motion.relief.clone_from(&self.walks[0].relief);
+        let acting = self.simulation.acting(&motion)?;
         let mut reactions: Option<ReactionReport> = None;
         for walk in &self.walks {
-            let own = match walk.reactions(self.figure(), &mut motion) {
+            let own = match walk.reactions(self.figure(), &mut motion, &acting) {
                 // What somebody walks into may lift a leg in a frame, and the rest of the motion is as it is.
-                Err(error @ ReactionError::Pulls { .. }) if !report.collisions.is_empty() => {
+                Err(error @ ReactionError::Pulls { .. }) if self.is_acted_on(&report) => {
                     let who = walk.of.as_ref().map_or("who walks", |member| &member.name);
                     let note = format!("what the ground does under the feet of {who} is not told: {error}");
                     report.remarks.push(Remark::Said(note));
@@ -171,6 +180,17 @@ impl Scene {
             });
         }
         Ok(Simulated { motion, report, reactions })
+    }
+}
+
+impl Scene {
+    /// Whether something else than the ground acts on who walks.
+    fn is_acted_on(&self, report: &RunReport) -> bool {
+        let simulation = &self.simulation;
+        !(report.collisions.is_empty()
+            && simulation.springs().is_empty()
+            && simulation.pushes().is_empty()
+            && simulation.loops().is_empty())
     }
 }
 

@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 /// How long a joint takes to come back into the walk (s).
 const EASES: f64 = 0.5;
+/// Accelerations are those over no less than this (s).
+const LEAST_FRAME: f64 = 1e-6;
 
 /// A joint that may be loosened.
 #[derive(Clone)]
@@ -134,7 +136,7 @@ impl Limbs {
                 q[coordinate] += apart * weight.position;
                 let walk = self.v[dof];
                 let velocity = walk + (self.moved[dof] - walk) * weight.position + apart * rate;
-                self.rates[dof] = [velocity, (velocity - self.rates[dof][0]) / dt];
+                self.rates[dof] = [velocity, (velocity - self.rates[dof][0]) / dt.max(LEAST_FRAME)];
             }
         }
     }

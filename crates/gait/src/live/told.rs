@@ -171,7 +171,7 @@ impl Told {
 
     fn link(&self, link: &str) -> Result<usize, LiveError> {
         self.figure.link_index(link).ok_or_else(|| {
-            let names = self.figure.links().iter().map(|link| link.name());
+            let names = self.figure.links().iter().map(solaris_model::Link::name);
             LiveError::NoLink { link: link.to_owned(), nearest: nearest(link, names) }
         })
     }

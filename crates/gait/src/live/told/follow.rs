@@ -4,6 +4,8 @@
 const MOST_CHANGE: f64 = 150.0;
 /// A change of the rate that is so many times as much is none: the law has jumped.
 const JUMPS: f64 = 3.0;
+/// Accelerations are those over no less than this (s).
+const LEAST_FRAME: f64 = 1e-6;
 /// How long what is apart takes to come together (s).
 const EASES: f64 = 0.3;
 
@@ -43,7 +45,7 @@ impl Follow {
         let taken = if self.jumped { 0.0 } else { change.clamp(-most, most) };
         self.since += dt;
         if taken.to_bits() != change.to_bits() {
-            let beyond = (change - taken) * dt;
+            let beyond = (law - self.law) - (self.rate + taken) * dt;
             self.apart = [place - beyond, rate * EASES];
             self.since = 0.0;
         }
@@ -51,7 +53,7 @@ impl Follow {
         self.law = law;
         let [place, rate] = self.eased(0.0);
         let rate = self.rate + rate;
-        self.moves = [rate, (rate - self.moves[0]) / dt];
+        self.moves = [rate, (rate - self.moves[0]) / dt.max(LEAST_FRAME)];
         law + place
     }
 
@@ -131,6 +133,16 @@ mod tests {
             last = [*x, *v];
         }
         assert!((frames[399][1] - 0.4).abs() < 1e-15 && frames.iter().all(|[_, x, _]| x.abs() < 2.0));
+    }
+
+    /// Frames of next to nothing, too, leave numbers.
+    #[test]
+    fn frames_of_next_to_nothing_are_frames() {
+        let mut follow = Follow::from(0.3, -2.0);
+        for (k, dt) in [1e-300, 0.02, 1e-12, 0.25, f64::MIN_POSITIVE, 0.01].into_iter().enumerate() {
+            let x = follow.step(dt, if k % 2 == 0 { 1.0 } else { -1.0 }, k == 3);
+            assert!(x.abs() < 3.0 && follow.moves().iter().all(|x| x.is_finite()), "{k}: {x} {follow:?}");
+        }
     }
 
     /// Rates are those of the places, by differences.
