@@ -2,7 +2,8 @@
 
 use crate::error::SceneError;
 use crate::member::{Member, OneOfSeveral};
-use solaris_analysis::{ReactionError, ReactionReport, ground_reactions};
+use solaris_analysis::{ReactionError, ReactionReport, ground_reactions_under};
+use solaris_dynamics::Wrench;
 use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion, MotionError, Relief};
 use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};

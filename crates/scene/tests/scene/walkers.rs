@@ -124,6 +124,57 @@ fn what_is_met_is_borne_by_the_feet() {
     }
 }
 
+/// Pushes and springs on who walks are borne by the feet and the drives: what they press changes by just that, alone and beside somebody else.
+#[test]
+fn what_pushes_and_pulls_is_borne_by_the_feet() {
+    let alone =
+        "figures: {\"ann\": Human(height: 1.65, mass: 58)}, walk: Walk(steps: 3, step_frequency: 105)";
+    let both = "figures: {\"bob\": Human(height: 1.8, mass: 80), \"ann\": Human(height: 1.65, mass: 58)}, \
+                places: {\"ann\": (at: (1, 0, 0.5), facing: deg(40))}, walk: {\"ann\": Walk(steps: 3, step_frequency: 105)}, drives: {\"bob.*\": Frozen}";
+    for (scene, who) in [(alone, ""), (both, "ann.")] {
+        let run = |fields: &str| {
+            let text = format!("Scene(version: 1, rate: 60, {scene}, {fields})");
+            read(&text, &mut NoFiles).expect("a scene").simulate(&mut ()).expect("a motion")
+        };
+        let plain = run("");
+        let push = format!(
+            "pushes: [Push(link: \"{who}thorax\", at: (0, 0.1, 0), force: (10, -20, 40), from: 1.2, over: 0.6)]"
+        );
+        let spring = format!(
+            "springs: [Spring(between: ((\"{who}pelvis\", (0, 0, 0)), (\"world\", (1, 3, 1))), stiffness: 20)]"
+        );
+        let feet = |found: &Simulated, frame: usize| -> Vector3<f64> {
+            let of = |link: &str| {
+                found.motion.contact(&format!("{who}{link}")).expect("a foot").samples[frame].force
+            };
+            of("left_foot") + of("right_foot")
+        };
+        let (pushed, pulled) = (run(&push), run(&spring));
+        for frame in 0..plain.motion.len() {
+            let time = plain.motion.time()[frame];
+            let asked = feet(&plain, frame);
+            let force =
+                Vector3::new(10.0, -20.0, 40.0) * f64::from(u8::from((1.2..1.8 - 1e-9).contains(&time)));
+            let off = feet(&pushed, frame) + force - asked;
+            assert!(off.norm() < 1e-8, "{who} {time}: {off}");
+            let pull = asked - feet(&pulled, frame);
+            assert!(pull.norm() > 10.0 && pull.norm() < 100.0, "{who} {time}: {pull}");
+        }
+        // The root bears nothing but rounding: joints know of it, too.
+        for found in [&pushed, &pulled] {
+            let reactions = found.reactions.as_ref().expect("reactions");
+            assert!(reactions.root_force < 1e-8 && reactions.root_moment < 1e-8, "{reactions:?}");
+        }
+        let dof = |found: &Simulated, name: &str| {
+            let scene = read(&format!("Scene(version: 1, {scene})"), &mut NoFiles).expect("a scene");
+            let dof = scene.figure().layout().dof_index(&format!("{who}{name}")).expect("a dof");
+            found.motion.tau(84).expect("forces")[dof]
+        };
+        assert!((dof(&pushed, "lumbar.rx") - dof(&plain, "lumbar.rx")).abs() > 5.0);
+        assert!((dof(&pushed, "left_elbow.rx") - dof(&plain, "left_elbow.rx")).abs() < 1e-9);
+    }
+}
+
 /// A curve of somebody's own, over her walk, beside somebody else's.
 #[test]
 fn limbs_of_who_walks_do_what_they_are_told() {
