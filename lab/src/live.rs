@@ -33,7 +33,7 @@ pub(crate) fn run() -> Result<(), String> {
     println!("{table}\n\n{physics}");
     let page = replace(&read(PAGE)?, "cost", &table)?;
     write(PAGE, &replace(&page, "physics", &physics)?)?;
-    write(STRIP, &strip(&figure, (2.2, 6.6), steered)?)?;
+    write(STRIP, &strip(&figure, (2.2, 6.6), |_, time| Ok(steered(time)))?)?;
     write(REACH, &strip(&figure, (1.5, 5.9), reaching)?)
 }
 
@@ -155,12 +155,12 @@ fn limp() -> Result<String, String> {
 }
 
 /// Somebody walks on, turns and stops.
-fn steered(_: &mut Walker, time: f64) -> Result<Command, LiveError> {
-    Ok(match time {
+fn steered(time: f64) -> Command {
+    match time {
         t if t < 2.5 => Command::velocity(0.0, 1.2),
         t if t < 5.5 => Command::velocity(1.2, 0.0),
         _ => Command::stop(),
-    })
+    }
 }
 
 /// Somebody walks past a lamp that she looks at, with a hand on a rail for a while.

@@ -79,8 +79,8 @@ struct Condition {
 }
 
 impl Convex {
-    /// Room for a problem; kept from step to step.
-    pub(crate) fn new(n: usize, conditions: usize) -> Self {
+    /// Room for a problem; kept from step to step. Rows have at most `width` entries that are not zero.
+    pub(crate) fn new(n: usize, conditions: usize, width: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self {
             n,
@@ -95,7 +95,7 @@ impl Convex {
             momentum: zeros(),
             turned: zeros(),
             conditions: Vec::with_capacity(conditions),
-            entries: Vec::with_capacity(conditions * n),
+            entries: Vec::with_capacity(conditions * width.min(n)),
             scratch: Vec::with_capacity(n),
         }
     }

@@ -178,13 +178,13 @@ pub enum SetupError {
     Motion(#[from] MotionError),
     /// Links that are to touch each other, in a run by a method that does not know of it.
     #[error(
-        "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
+        "links that touch each other need steps by impulses, of 1 ms to begin with (method: Impulses(step: 1e-3))"
     )]
     NeedsImpulses,
     /// A loop that is open where a run begins that holds it closed by forces.
     #[error(
         "{} and {} are held together, but begin {apart:.3e} m and {speed:.3e} m/s or rad/s apart, more than {OPEN}: start where the loop \
-         is closed, or take `Method::Impulses`, which draws them together", .links[0], .links[1]
+         is closed, or take impulses, which draw them together (method: Impulses(step: 1e-3))", .links[0], .links[1]
     )]
     OpenLoop {
         /// The links, or `world`.
@@ -197,7 +197,7 @@ pub enum SetupError {
     /// A loop that is taken hold of, by forces, where it is open.
     #[error(
         "{} and {} are held together from {time} s on, but are {apart:.3e} m apart then, more than {OPEN}: bring them together before, or take \
-         `Method::Impulses`, which draws them together", .links[0], .links[1]
+         impulses, which draw them together (method: Impulses(step: 1e-3))", .links[0], .links[1]
     )]
     FarLoop {
         /// The links, or `world`.

@@ -38,7 +38,7 @@ pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision,
     LinkContact, LoopReport, Observer, Outcome, OutcomeKind, PhaseReport, Remark, Run, RunPass, RunReport,
 };
-pub use run::Touching;
+pub use run::{Acting, Touching};
 pub use running::{Happened, Running};
 pub use sequence::Part;
 pub use settings::{Guard, Method, Rule, Settings};

@@ -162,10 +162,11 @@ impl Phase {
     }
 
     /// From now on the ground and hard limits act by impulses, in steps of this length (s).
-    pub(crate) fn step_by_impulses_of(&mut self, step: f64) {
+    pub(crate) fn step_by_impulses_of(&mut self, step: f64) -> Result<(), SetupError> {
         self.by_impulses = Some(step);
-        if let Some(small) = &mut self.small {
-            small.act_by_impulses(&self.source, &self.state, step);
+        match &mut self.small {
+            Some(small) => small.act_by_impulses(&self.source, &self.state, step),
+            None => Ok(()),
         }
     }
 
@@ -311,7 +312,7 @@ impl Phase {
         if let Some(small) = &mut self.small {
             small.plant(&self.planted);
             if let Some(step) = self.by_impulses {
-                small.act_by_impulses(&self.source, &self.state, step);
+                small.act_by_impulses(&self.source, &self.state, step)?;
             }
         }
         Ok(())

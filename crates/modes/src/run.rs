@@ -366,6 +366,9 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
     ErrorEstimate { position: factor * difference.position, velocity: factor * difference.velocity }
 }
 
+/// What acts on links in a frame: each with its wrench about the world's origin (N, N m).
+pub type Acting = Vec<(usize, Wrench<f64>)>;
+
 impl Simulation {
     /// What springs between points and pushes do to links in the frames of a motion of the figure: links and wrenches about the world's origin (N, N m), of which each
     /// frame has equally many. What the ground, other links and loops do, a run's motion has among its contacts; a blow in an instant is no force.
@@ -373,7 +376,7 @@ impl Simulation {
     /// # Errors
     ///
     /// A motion of another figure.
-    pub fn acting(&self, motion: &Motion) -> Result<Vec<Vec<(usize, Wrench<f64>)>>, RunError> {
+    pub fn acting(&self, motion: &Motion) -> Result<Vec<Acting>, RunError> {
         motion.check_figure(&self.figure).map_err(SetupError::from)?;
         let thrusts = pushes::thrusts(self)?;
         let mut body = LoadedBody::new(self, true)?.body;

@@ -206,6 +206,7 @@ impl SceneReader<'_> {
         said.extend(open);
         said.extend(notes);
         let settings = self.settings(&fields, walked);
+        said.extend(settings.as_ref().into_iter().flat_map(|settings| self.late_pushes(settings.duration)));
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,

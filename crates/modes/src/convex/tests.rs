@@ -5,7 +5,7 @@ const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 
 /// A block of mass `m` on a plane: its three velocities are the contact's own.
 fn block(m: f64, free: [f64; 3], friction: f64, gap: f64) -> ([f64; 3], [f64; 3]) {
-    let mut convex = Convex::new(3, 1);
+    let mut convex = Convex::new(3, 1, 3);
     convex.begin(&DMatrix::from_diagonal_element(3, 3, m), &[0, 1, 2], &free, [0.0; 3].into_iter(), |_| {
         (0.0, 0.0)
     });
@@ -53,7 +53,7 @@ fn random_problems_are_at_their_minimum() {
         let mass = &root * root.transpose() + DMatrix::identity(n, n) * 0.05;
         let free = random.numbers(n, 3.0);
         let all: Vec<usize> = (0..n).collect();
-        let mut convex = Convex::new(n, count);
+        let mut convex = Convex::new(n, count, n);
         convex.begin(&mass, &all, &free, std::iter::repeat(0.0), |_| (0.0, 0.0));
         for _ in 0..count {
             convex.condition();

@@ -161,8 +161,14 @@ impl Impulses {
         let loops = reduction.loops.conditions();
         let pairs = reduction.colliding.as_ref().map_or(0, Colliding::len);
         let (dofs, conditions) = (maps.velocities.len(), spheres + pairs + 2 * limits.len());
+        // A condition is of two links, each with those that carry it.
+        let mut carried: Vec<usize> = Vec::with_capacity(reduction.figure.links().len());
+        for (link, at) in reduction.figure.links().iter().zip(reduction.figure.layout().joints()) {
+            carried.push(at.nv + link.parent().map_or(0, |parent| carried[parent]));
+        }
+        let width = 2 * carried.into_iter().max().unwrap_or(0);
         Self {
-            convex: Convex::new(dofs, conditions + loops),
+            convex: Convex::new(dofs, conditions + loops, width),
             step,
             order,
             matrix: DMatrix::zeros(nv, nv),

@@ -19,6 +19,8 @@ use solaris_profiles::Elementary;
 
 /// How many columns of a Jacobian are found at a time.
 const COLUMNS: usize = 8;
+/// The most degrees of freedom of a step by impulses: its matrices are full.
+const MOST_MOVED: usize = 4096;
 
 /// What is left of a figure, ready to be evaluated.
 #[derive(Clone)]
@@ -102,12 +104,26 @@ impl Small {
     }
 
     /// From now on the ground and hard limits act by impulses, in steps of this length (s).
-    pub(super) fn act_by_impulses(&mut self, source: &Source, state: &StateMap, step: f64) {
+    pub(super) fn act_by_impulses(
+        &mut self,
+        source: &Source,
+        state: &StateMap,
+        step: f64,
+    ) -> Result<(), SetupError> {
+        let dofs = self.maps.velocities.len();
+        if dofs > MOST_MOVED {
+            return Err(SetupError::Range {
+                what: "the number of degrees of freedom that dynamics move in steps by impulses".to_owned(),
+                value: dofs as f64,
+                range: "at most 4096: freeze what need not move, or simulate what does not touch by itself",
+            });
+        }
         self.numbers.body.touch_by_impulses(true);
         self.numbers.body.close(Vec::new());
         self.duals = None;
         let impulses = Impulses::new(source, &self.reduction, &self.maps, state, step);
         self.impulses = Some(Box::new(impulses));
+        Ok(())
     }
 
     /// From now on these stand on the ground; contact points are those of the full figure, on links that dynamics move.

@@ -357,7 +357,7 @@ impl Pass {
         let simulation = self.loaded.as_deref().unwrap_or(&self.simulation);
         let mut phase = Phase::with(simulation, &roles, &self.q, self.settings.leave_out)?;
         if let Stepping::Impulses { step } = self.stepping {
-            phase.step_by_impulses_of(step);
+            phase.step_by_impulses_of(step)?;
         }
         let mut compiled = Compiled { phase, roles, q: self.q.clone(), servos: self.servos() };
         // What is watched for may bring back what was left out.

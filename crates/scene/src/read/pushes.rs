@@ -21,6 +21,21 @@ impl SceneReader<'_> {
         }
     }
 
+    /// What there is to say of pushes that begin when a scene of this length (s) is over.
+    pub(super) fn late_pushes(&self, duration: f64) -> Vec<String> {
+        let Some(simulation) = &self.simulation else { return Vec::new() };
+        let late = simulation.pushes().iter().filter(|push| push.from >= duration);
+        let name = |push: &Push| simulation.figure().links()[push.link].name();
+        let said = |push: &Push| {
+            format!(
+                "the push on '{}' begins at {} s, and the scene is over at {duration} s: it does nothing",
+                name(push),
+                push.from
+            )
+        };
+        late.map(said).collect()
+    }
+
     /// `Push(link: "hand", at: (0, 0, 0), force: (x, y, z), from: 0, over: 0.2)`
     fn push(&mut self, node: &Node<'_>) -> Option<Push> {
         let fields = self.reader.fields(node, &["Push"], &FIELDS)?;

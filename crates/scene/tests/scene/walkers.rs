@@ -124,6 +124,17 @@ fn what_is_met_is_borne_by_the_feet() {
     }
 }
 
+#[test]
+fn a_push_that_comes_too_late_is_noted() {
+    let text = "Scene(version: 1, duration: 0.5, figures: {\"ann\": Human(height: 1.7, mass: 60)}, drives: {\"*\": Frozen}, \
+                pushes: [Push(link: \"pelvis\", force: (9, 0, 0), from: 3), Push(link: \"head\", force: (9, 0, 0), from: 0.4)])";
+    let found = read(text, &mut NoFiles).expect("a scene");
+    assert_eq!(
+        found.notes(),
+        ["the push on 'pelvis' begins at 3 s, and the scene is over at 0.5 s: it does nothing"]
+    );
+}
+
 /// Pushes and springs on who walks are borne by the feet and the drives: what they press changes by just that, alone and beside somebody else.
 #[test]
 fn what_pushes_and_pulls_is_borne_by_the_feet() {
