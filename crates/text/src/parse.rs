@@ -201,6 +201,11 @@ impl Inside {
                     format!("'{c}' does not close the '{open}' of line {line}; that takes '{close}'");
                 (cursor.next_span(), message)
             }
+            // Fields are told from values by the first of them.
+            Some(':') if close == ')' => {
+                let message = "values and fields cannot stand beside each other here: name all of them, as in File(path: \"robot.urdf\", base: Free)";
+                (cursor.next_span(), message.to_owned())
+            }
             Some(c) => {
                 (cursor.next_span(), format!("a comma or '{close}' is missing before this {}", shown(c)))
             }
