@@ -248,7 +248,7 @@ fn what_begins_open_is_refused() {
     assert_eq!(
         refused(&simulation),
         "coupler and second are held together, but begin 1.000e-2 m and 0.000e0 m/s or rad/s apart, more than 0.0001: start where the \
-         loop is closed, or take `Method::Impulses`, which draws them together"
+         loop is closed, or take impulses, which draw them together (method: Impulses(step: 1e-3))"
     );
     simulation.set_start(&[0.3, -0.3, 0.3], &[1.0, 0.0, 0.0]).expect("valid");
     assert!(refused(&simulation).contains("0.000e0 m and"), "{}", refused(&simulation));

@@ -202,7 +202,7 @@ fn what_cannot_be_asked_is_refused() {
         let error = simulation.run(&settings).expect_err("impulses only");
         assert_eq!(
             error.to_string(),
-            "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
+            "links that touch each other need steps by impulses, of 1 ms to begin with (method: Impulses(step: 1e-3))"
         );
     }
     let usual = simulation.run(&Settings::new(1.0, 10.0)).expect("nobody has named another").report;
