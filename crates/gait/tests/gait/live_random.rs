@@ -80,7 +80,7 @@ fn no_coordinate_jumps_where_pieces_meet() {
         }
     }
     println!("{worst:?}");
-    assert!(worst.0 < 6e-5, "{worst:?}");
+    assert!(worst.0 < 2e-5, "{worst:?}");
 }
 
 #[test]
