@@ -1,12 +1,14 @@
 //! Nearness: the least distance between links of a figure in a motion.
 
 mod fill;
+mod flyers;
 mod limbs;
 mod outlines;
 mod segment;
 
 pub use limbs::{LimbOverlap, NearSpell, NearestLimbs};
 
+use flyers::Flyers;
 use outlines::{Outlines, Pair};
 use solaris_dynamics::{DynamicsError, Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, Motion, MotionError};
@@ -17,11 +19,13 @@ use solaris_model::{Figure, Motion, MotionError};
 /// are deepest in each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nearness {
-    /// The pairs that are measured, by indices of links, the smaller first.
+    /// The pairs of what is joined that are measured, by indices of links, the smaller first.
     pub pairs: Vec<[usize; 2]>,
+    /// How many pairs more are measured: links of what [flies apart](Figure::flyers), one figure from another.
+    pub of_others: usize,
     /// The pairs that are not, because they overlap by construction: in the neutral configuration, every joint at zero.
     pub left_out: Vec<[usize; 2]>,
-    /// The nearest pair of every frame; the first of [`Self::pairs`] where several are as near.
+    /// The nearest pair of every frame; that with the first links where several are as near.
     pub frames: Vec<Near>,
     /// Over all frames, the first where several are as near.
     pub nearest: Nearest,
@@ -32,8 +36,8 @@ pub struct Nearness {
 pub struct Near {
     /// Distance (m), negative for the depth of an overlap.
     pub distance: f64,
-    /// Which pair, an index into [`Nearness::pairs`].
-    pub pair: usize,
+    /// Which links (indices), the smaller first.
+    pub links: [usize; 2],
 }
 
 /// The nearest pair of a motion.
@@ -63,15 +67,15 @@ pub enum NearnessError {
 /// of links with shapes, or no frame.
 ///
 /// Left out are neighbours (links joined by a joint, or through links without a shape), links without a degree of freedom
-/// between them, and pairs that overlap in the neutral configuration.
+/// between them, and pairs that overlap in the neutral configuration unless they fly apart.
 ///
 /// Capsules and spheres are exact: the distance of their segments, less both radii. Ellipsoids, boxes and cylinders are
 /// filled with capsules from inside. What is measured is thus never nearer than what is there, and an overlap is one: a
 /// person's ellipsoids are filled to within 4 mm, boxes and cylinders have their edges rounded by their least half
 /// thickness, and wide boxes grooves of 0.13 of it where up to nine capsules are enough.
 ///
-/// Pairs whose bounding spheres are farther apart than what was found are passed over, and so are parts of links that a plane
-/// between them keeps farther apart. Nothing is allocated for a frame.
+/// Pairs whose bounding spheres are farther apart than what was found are passed over, first those of whole figures, and so are parts of
+/// links that a plane between them keeps farther apart. Nothing is allocated for a frame.
 ///
 /// # Errors
 ///
@@ -94,14 +98,16 @@ pub fn nearness_but(
     joined: &[[usize; 2]],
 ) -> Result<Option<Nearness>, NearnessError> {
     motion.check_figure(figure)?;
-    let mut candidates = figure.pairs_apart();
-    candidates.retain(|[a, b]| !joined.contains(&[*a, *b]) && !joined.contains(&[*b, *a]));
-    if candidates.is_empty() || motion.is_empty() {
+    let flyers = Flyers::of(figure, joined);
+    let is_joined = |[a, b]: [usize; 2]| joined.contains(&[a, b]) || joined.contains(&[b, a]);
+    let candidates = flyers.groups().flat_map(|links| figure.pairs_apart_among(links));
+    let candidates: Vec<[usize; 2]> = candidates.filter(|pair| !is_joined(*pair)).collect();
+    if (candidates.is_empty() && flyers.pairs() == 0) || motion.is_empty() {
         return Ok(None);
     }
     let tree = Tree::<f64>::new(figure, motion.info.gravity)?;
     let mut workspace = Workspace::new(&tree);
-    let mut outlines = Outlines::new(figure);
+    let mut outlines = Outlines::new(figure, flyers);
 
     let mut q = vec![0.0; tree.nq()];
     // What is refused is a wrong length.
@@ -111,16 +117,18 @@ pub fn nearness_but(
     let mut pairs: Vec<Pair> = candidates.into_iter().map(Pair::new).collect();
     let mut left_out = Vec::new();
     pairs.retain_mut(|pair| {
-        let overlaps = outlines.between(pair, 0.0).is_some_and(|distance| distance < 0.0);
+        let overlaps = !figure.fly_apart(pair.links)
+            && outlines.between(pair, 0.0).is_some_and(|distance| distance < 0.0);
         left_out.extend(overlaps.then_some(pair.links));
         !overlaps
     });
-    if pairs.is_empty() {
+    let of_others = outlines.flyers.pairs();
+    if pairs.is_empty() && of_others == 0 {
         return Ok(None);
     }
 
     let mut frames: Vec<Near> = Vec::with_capacity(motion.len());
-    let (mut first, mut worst) = (0, 0);
+    let (mut first, mut worst) = (None, 0);
     for frame in 0..motion.len() {
         forward_kinematics(&tree, &mut workspace, motion.q(frame))?;
         outlines.place(&workspace);
@@ -128,12 +136,12 @@ pub fn nearness_but(
         if frame == 0 || near.distance < frames[worst].distance {
             worst = frame;
         }
-        first = near.pair;
+        first = Some(near.links);
         frames.push(near);
     }
-    let Near { distance, pair } = frames[worst];
-    let pairs: Vec<[usize; 2]> = pairs.iter().map(|pair| pair.links).collect();
-    let links = pairs[pair].map(|link| figure.links()[link].name().to_owned());
+    let Near { distance, links } = frames[worst];
+    let links = links.map(|link| figure.links()[link].name().to_owned());
     let nearest = Nearest { distance, time: motion.time()[worst], links };
-    Ok(Some(Nearness { pairs, left_out, frames, nearest }))
+    let pairs = pairs.iter().map(|pair| pair.links).collect();
+    Ok(Some(Nearness { pairs, of_others, left_out, frames, nearest }))
 }

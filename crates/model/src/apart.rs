@@ -13,15 +13,31 @@ impl Figure {
     #[doc(alias = "collision")]
     #[doc(alias = "self-collision")]
     pub fn pairs_apart(&self) -> Vec<[usize; 2]> {
+        self.pairs_apart_among(&(0..self.links().len()).collect::<Vec<_>>())
+    }
+
+    /// Those of [`pairs_apart`](Self::pairs_apart) that are of these links (indices, which rise).
+    pub fn pairs_apart_among(&self, among: &[usize]) -> Vec<[usize; 2]> {
         let links = self.links();
         let bodies = bodies(links);
-        let shaped: Vec<usize> = (0..links.len()).filter(|i| links[*i].shape().is_some()).collect();
+        let shaped: Vec<usize> = among.iter().copied().filter(|i| links[*i].shape().is_some()).collect();
         let mut pairs = Vec::new();
         for (k, &first) in shaped.iter().enumerate() {
             let others = shaped[k + 1..].iter().map(|second| [first, *second]);
             pairs.extend(others.filter(|[a, b]| bodies[*a] != bodies[*b] && !self.are_neighbours([*a, *b])));
         }
         pairs
+    }
+
+    /// Of each link, the first that flies on the way to it from the root, itself included: by a free joint, or three slides of its own. Two
+    /// of which these are not the same [fly apart](Self::fly_apart): in a scene, those of two figures.
+    pub fn flyers(&self) -> Vec<Option<usize>> {
+        let mut flyers: Vec<Option<usize>> = Vec::with_capacity(self.links().len());
+        for (i, link) in self.links().iter().enumerate() {
+            let carrier = link.parent().and_then(|parent| flyers[parent]);
+            flyers.push(carrier.or_else(|| (link.joint().kind().slides().count() >= 3).then_some(i)));
+        }
+        flyers
     }
 
     /// Whether nothing keeps the places of two links together: three slides, or a free joint, are on the way from one to the other.

@@ -2,6 +2,7 @@
 
 use super::{Near, Nearness};
 use solaris_model::Figure;
+use std::collections::BTreeMap;
 
 /// How near limbs come to each other in a motion. Distances are negative for the depth of an overlap.
 ///
@@ -83,38 +84,40 @@ impl Nearness {
     /// What was found, by the names of the figure's links; `time` (s) is the motion's.
     pub fn limbs(&self, figure: &Figure, time: &[f64]) -> NearestLimbs {
         let names = |pair: &[usize; 2]| pair.map(|link| figure.links()[link].name().to_owned());
-        let of = |pair: usize| names(&self.pairs[pair]);
         let frames: Vec<(f64, Near)> = time.iter().copied().zip(self.frames.iter().copied()).collect();
         NearestLimbs {
             distance: self.nearest.distance,
             time: self.nearest.time,
             links: self.nearest.links.clone(),
-            pairs: self.pairs.len(),
+            pairs: self.pairs.len() + self.of_others,
             left_out: self.left_out.iter().map(names).collect(),
-            overlaps: overlaps(&frames, self.pairs.len(), &of),
-            spells: frames.chunk_by(|a, b| a.1.pair == b.1.pair).map(|frames| spell(frames, &of)).collect(),
+            overlaps: overlaps(&frames, &names),
+            spells: frames
+                .chunk_by(|a, b| a.1.links == b.1.links)
+                .map(|frames| spell(frames, &names))
+                .collect(),
         }
     }
 }
 
 /// Frames of one pair.
-fn spell(frames: &[(f64, Near)], names: &dyn Fn(usize) -> [String; 2]) -> NearSpell {
+fn spell(frames: &[(f64, Near)], names: &dyn Fn(&[usize; 2]) -> [String; 2]) -> NearSpell {
     let (from, first) = frames[0];
     let nearest = |a: (f64, Near), b: &(f64, Near)| if b.1.distance < a.1.distance { *b } else { a };
     let (time, Near { distance, .. }) = frames.iter().fold(frames[0], nearest);
-    NearSpell { links: names(first.pair), from, to: frames[frames.len() - 1].0, distance, time }
+    NearSpell { links: names(&first.links), from, to: frames[frames.len() - 1].0, distance, time }
 }
 
 /// The overlaps that are told, each with how deep it is and when.
-fn overlaps(frames: &[(f64, Near)], pairs: usize, names: &dyn Fn(usize) -> [String; 2]) -> Vec<LimbOverlap> {
-    let mut found: Vec<Option<LimbOverlap>> = vec![None; pairs];
+fn overlaps(frames: &[(f64, Near)], names: &dyn Fn(&[usize; 2]) -> [String; 2]) -> Vec<LimbOverlap> {
+    let mut found: BTreeMap<[usize; 2], LimbOverlap> = BTreeMap::new();
     let deep = |(_, (_, near)): &(usize, &(f64, Near))| near.distance < -LimbOverlap::TOLD;
     for (i, &(time, near)) in frames.iter().enumerate().filter(deep) {
         // A frame lasts until the next one.
         let lasts = frames.get(i + 1).map_or(0.0, |(next, _)| next - time);
         let depth = -near.distance;
-        let overlap = found[near.pair].get_or_insert_with(|| {
-            let links = names(near.pair);
+        let overlap = found.entry(near.links).or_insert_with(|| {
+            let links = names(&near.links);
             LimbOverlap { links, depth, time, from: time, to: time, lasts: 0.0 }
         });
         if depth > overlap.depth {
@@ -123,7 +126,7 @@ fn overlaps(frames: &[(f64, Near)], pairs: usize, names: &dyn Fn(usize) -> [Stri
         overlap.to = time;
         overlap.lasts += lasts;
     }
-    let mut found: Vec<LimbOverlap> = found.into_iter().flatten().collect();
+    let mut found: Vec<LimbOverlap> = found.into_values().collect();
     found.sort_by(|a, b| b.depth.total_cmp(&a.depth));
     found
 }
@@ -135,7 +138,8 @@ mod tests {
 
     #[test]
     fn overlaps_are_told_from_a_centimetre_on_the_deepest_first() {
-        let frame = |i: usize, distance: f64, pair: usize| (i as f64 * 0.1, Near { distance, pair });
+        let frame =
+            |i: usize, distance: f64, pair: usize| (i as f64 * 0.1, Near { distance, links: [pair, 7] });
         let frames = [
             frame(0, 0.02, 0),
             frame(1, -0.009, 0),
@@ -146,7 +150,7 @@ mod tests {
             frame(6, -0.011, 0),
             frame(7, 0.1, 0),
         ];
-        let found = overlaps(&frames, 2, &|pair| [format!("a{pair}"), format!("b{pair}")]);
+        let found = overlaps(&frames, &|[a, b]| [format!("a{a}"), format!("b{b}")]);
         let names: Vec<&str> = found.iter().map(|overlap| overlap.links[0].as_str()).collect();
         assert_eq!(names, ["a1", "a0"]);
         for (overlap, [depth, time, from, to, lasts]) in
@@ -159,6 +163,6 @@ mod tests {
                 assert_abs_diff_eq!(found, expected, epsilon = 1e-12);
             }
         }
-        assert!(overlaps(&[], 0, &|_| [String::new(), String::new()]).is_empty());
+        assert!(overlaps(&[], &|_| [String::new(), String::new()]).is_empty());
     }
 }

@@ -1,6 +1,7 @@
 //! What fills the links of a figure, where they stand, and which of them are the nearest.
 
 use super::fill::{Capsule, fill};
+use super::flyers::Flyers;
 use super::{Near, segment};
 use nalgebra::{Matrix3, Vector3};
 use solaris_dynamics::{Pose, Workspace};
@@ -102,18 +103,24 @@ pub(super) struct Outlines {
     own: Vec<Outline>,
     poses: Vec<Pose<f64>>,
     around: Vec<Ball>,
+    pub(super) flyers: Flyers,
+    /// About all that flies together.
+    about: Vec<Ball>,
     /// How far each part of two links reaches towards the other one.
     reaches: [Vec<f64>; 2],
 }
 
 impl Outlines {
-    pub(super) fn new(figure: &Figure) -> Self {
+    pub(super) fn new(figure: &Figure, flyers: Flyers) -> Self {
         let own: Vec<Outline> = figure.links().iter().map(Outline::of).collect();
         let most = own.iter().map(|outline| outline.parts.len()).max().unwrap_or(0);
+        let about = vec![Ball { center: Vector3::zeros(), radius: 0.0 }; flyers.groups().len()];
         Self {
             poses: vec![Pose::identity(); own.len()],
             around: own.iter().map(|outline| outline.around).collect(),
             reaches: [Vec::with_capacity(most), Vec::with_capacity(most)],
+            about,
+            flyers,
             own,
         }
     }
@@ -125,20 +132,69 @@ impl Outlines {
             self.poses[link] = *pose;
             self.around[link].center = pose.transform(&own.around.center);
         }
+        for (about, links) in self.about.iter_mut().zip(self.flyers.groups()) {
+            let balls = || links.iter().map(|link| &self.around[*link]);
+            about.center = balls().map(|ball| ball.center).sum::<Vector3<f64>>() / links.len() as f64;
+            let reach = |ball: &Ball| (ball.center - about.center).norm() + ball.radius;
+            about.radius = balls().map(reach).fold(0.0, f64::max);
+        }
     }
 
-    /// The nearest of these pairs. The one that is measured `first` only saves work: the result is the same.
-    pub(super) fn nearest(&mut self, pairs: &mut [Pair], first: usize) -> Near {
-        let distance = self.between(&mut pairs[first], f64::INFINITY).unwrap_or(f64::INFINITY);
-        let mut near = Near { distance, pair: first };
-        for (index, pair) in pairs.iter_mut().enumerate().filter(|(index, _)| *index != first) {
-            if let Some(distance) = self.between(pair, near.distance)
-                && (distance < near.distance || index < near.pair)
-            {
-                near = Near { distance, pair: index };
+    /// The nearest of these pairs and of those of what flies apart. That of the links that are measured `first` only saves work: the
+    /// result is the same.
+    pub(super) fn nearest(&mut self, pairs: &mut [Pair], first: Option<[usize; 2]>) -> Near {
+        let mut near = Near { distance: f64::INFINITY, links: [usize::MAX; 2] };
+        if let Some(links) = first
+            && let Some(distance) = self.between(&mut Pair::new(links), f64::INFINITY)
+        {
+            near = Near { distance, links };
+        }
+        for pair in pairs {
+            self.compare(pair, &mut near);
+        }
+        for one in 0..self.about.len() {
+            for other in one + 1..self.about.len() {
+                if self.about[one].apart(&self.about[other]) <= near.distance + SLACK {
+                    self.compare_flyers([one, other], &mut near);
+                }
             }
         }
         near
+    }
+
+    /// Measures a pair if it may be nearer.
+    fn compare(&mut self, pair: &mut Pair, near: &mut Near) {
+        if let Some(distance) = self.between(pair, near.distance)
+            && (distance < near.distance || pair.links < near.links)
+        {
+            *near = Near { distance, links: pair.links };
+        }
+    }
+
+    /// Measures the pairs of links of two that fly apart.
+    fn compare_flyers(&mut self, [one, other]: [usize; 2], near: &mut Near) {
+        let of = |outlines: &Self, group: usize, k: usize| outlines.flyers.links(group).get(k).copied();
+        let mut i = 0;
+        while let Some(first) = of(self, one, i) {
+            i += 1;
+            if self.around[first].apart(&self.about[other]) > near.distance + SLACK {
+                continue;
+            }
+            let mut j = 0;
+            while let Some(second) = of(self, other, j) {
+                j += 1;
+                let links = [first.min(second), first.max(second)];
+                if self.around[first].apart(&self.around[second]) > near.distance + SLACK
+                    || self.flyers.are_joined(links)
+                {
+                    continue;
+                }
+                let [from, to] = links.map(|link| self.around[link].center);
+                let mut pair = Pair::new(links);
+                pair.toward = (to - from).try_normalize(0.0).unwrap_or(pair.toward);
+                self.compare(&mut pair, near);
+            }
+        }
     }
 
     /// How far two links are apart (m); `None` where it is more than `limit`.
@@ -230,7 +286,8 @@ mod tests {
         let figure = human(1.75, 73.0).expect("within range");
         let random = &mut Random(11);
         let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("a tree");
-        let (mut workspace, mut outlines) = (Workspace::new(&tree), Outlines::new(&figure));
+        let (mut workspace, mut outlines) =
+            (Workspace::new(&tree), Outlines::new(&figure, Flyers::of(&figure, &[])));
         let mut pairs: Vec<Pair> = figure.pairs_apart().into_iter().map(Pair::new).collect();
         let mut q = vec![0.0; tree.nq()];
         for _ in 0..20 {
@@ -248,11 +305,13 @@ mod tests {
                 };
                 all.map(apart).fold(f64::INFINITY, f64::min)
             };
-            let all = pairs.iter().map(|pair| whole(pair.links)).enumerate();
-            let (pair, distance) = all.min_by(|a, b| a.1.total_cmp(&b.1)).expect("some pairs");
+            let all = pairs.iter().map(|pair| (pair.links, whole(pair.links)));
+            let (links, distance) = all.min_by(|a, b| a.1.total_cmp(&b.1)).expect("some pairs");
             for first in [0, random.below(pairs.len()), pairs.len() - 1] {
-                assert_eq!(outlines.nearest(&mut pairs, first), Near { distance, pair });
+                let first = Some(pairs[first].links);
+                assert_eq!(outlines.nearest(&mut pairs, first), Near { distance, links });
             }
+            assert_eq!(outlines.nearest(&mut pairs, None), Near { distance, links });
         }
     }
 }

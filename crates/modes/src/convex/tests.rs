@@ -1,3 +1,4 @@
+use super::island::SAME_BOUND;
 use super::*;
 use approx::assert_abs_diff_eq;
 
@@ -5,7 +6,7 @@ const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 
 /// A block of mass `m` on a plane: its three velocities are the contact's own.
 fn block(m: f64, free: [f64; 3], friction: f64, gap: f64) -> ([f64; 3], [f64; 3]) {
-    let mut convex = Convex::new(3, 1, 3);
+    let mut convex = Convex::new(Envelope::full(3), vec![0; 3], 1, 3);
     convex.begin(&DMatrix::from_diagonal_element(3, 3, m), &[0, 1, 2], &free, [0.0; 3].into_iter(), |_| {
         (0.0, 0.0)
     });
@@ -53,7 +54,7 @@ fn random_problems_are_at_their_minimum() {
         let mass = &root * root.transpose() + DMatrix::identity(n, n) * 0.05;
         let free = random.numbers(n, 3.0);
         let all: Vec<usize> = (0..n).collect();
-        let mut convex = Convex::new(n, count, n);
+        let mut convex = Convex::new(Envelope::full(n), vec![0; n], count, n);
         convex.begin(&mass, &all, &free, std::iter::repeat(0.0), |_| (0.0, 0.0));
         for _ in 0..count {
             convex.condition();
@@ -121,6 +122,91 @@ fn the_stiffness_is_the_slope_of_the_impulse() {
                 let scale = 1.0 + stiffness.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
                 assert_abs_diff_eq!(slope, stiffness[i][j], epsilon = 1e-5 * scale);
             }
+        }
+    }
+}
+
+/// A problem of `n` velocities and `count` contacts, each number from `random`, written to the velocities `of` of a greater one.
+fn add_problem(
+    (mass, free): (&mut DMatrix<f64>, &mut [f64]),
+    of: &[usize],
+    random: &mut crate::body::random::Random,
+) -> Vec<Vec<(usize, [f64; 3])>> {
+    let n = of.len();
+    let root = DMatrix::from_fn(n, n, |_, _| random.between(-1.0, 1.0));
+    let own = &root * root.transpose() + DMatrix::identity(n, n) * 0.05;
+    for i in 0..n {
+        for j in 0..n {
+            mass[(of[i], of[j])] = own[(i, j)];
+        }
+        free[of[i]] = random.between(-3.0, 3.0);
+    }
+    (0..1 + random.below(4))
+        .map(|_| of.iter().map(|row| (*row, random.vector(1.0).into())).collect())
+        .collect()
+}
+
+/// The velocities of problems, each a tree of its own, with these contacts.
+fn solved(
+    (mass, free): (&DMatrix<f64>, &[f64]),
+    trees: &[usize],
+    contacts: &[Vec<(usize, [f64; 3])>],
+) -> Vec<f64> {
+    let n = free.len();
+    let first = |row: usize| trees.iter().position(|tree| *tree == trees[row]).unwrap_or(0);
+    let envelope = Envelope::new((0..n).map(first).collect());
+    let mut convex = Convex::new(envelope, trees.to_vec(), contacts.len(), n);
+    let all: Vec<usize> = (0..n).collect();
+    convex.begin(mass, &all, free, std::iter::repeat(0.0), |_| (0.0, 0.0));
+    for contact in contacts {
+        convex.condition();
+        contact.iter().for_each(|(column, rows)| convex.entry(*column, *rows));
+        convex.contact([0.0; 3], 0.7, 1e-4, RIGID, 0.0, 1e-3);
+    }
+    convex.solve();
+    convex.v.clone()
+}
+
+/// What nothing joins moves as it would alone, to the bit, however its velocities lie between those of others; what a condition
+/// joins balances together.
+#[test]
+fn islands_are_as_they_are_alone() {
+    let random = &mut crate::body::random::Random(19);
+    for _ in 0..50 {
+        let trees: Vec<usize> = (0..12).map(|_| random.below(3)).collect();
+        let (mut mass, mut free) = (DMatrix::zeros(12, 12), vec![0.0; 12]);
+        let mut contacts = Vec::new();
+        let of = |tree: usize| (0..12).filter(|row| trees[*row] == tree).collect::<Vec<usize>>();
+        for tree in 0..3 {
+            let found = add_problem((&mut mass, &mut free), &of(tree), random);
+            // The third one touches nothing.
+            contacts.extend(found.into_iter().filter(|contact| tree < 2 && !contact.is_empty()));
+        }
+        let together = solved((&mass, &free), &trees, &contacts);
+        for tree in 0..3 {
+            let rows = of(tree);
+            let place = |row: usize| rows.iter().position(|own| *own == row);
+            let own: Vec<Vec<(usize, [f64; 3])>> = contacts
+                .iter()
+                .map(|contact| {
+                    contact.iter().filter_map(|(row, entry)| Some((place(*row)?, *entry))).collect()
+                })
+                .filter(|contact: &Vec<_>| !contact.is_empty())
+                .collect();
+            let own_mass = DMatrix::from_fn(rows.len(), rows.len(), |i, j| mass[(rows[i], rows[j])]);
+            let own_free: Vec<f64> = rows.iter().map(|row| free[*row]).collect();
+            let alone = solved((&own_mass, &own_free), &vec![0; rows.len()], &own);
+            let bits = |x: f64| x.to_bits();
+            let found = rows.iter().map(|row| bits(together[*row]));
+            assert!(found.eq(alone.into_iter().map(bits)), "tree {tree} of {trees:?}");
+        }
+        // Joined, they balance as one that is full.
+        let all = (0..12).filter(|row| trees[*row] < 2).map(|row| (row, random.vector(1.0).into())).collect();
+        contacts.push(all);
+        let (islands, one) =
+            (solved((&mass, &free), &trees, &contacts), solved((&mass, &free), &[0; 12], &contacts));
+        for (a, b) in islands.iter().zip(&one) {
+            assert_abs_diff_eq!(*a, *b, epsilon = 1e-6);
         }
     }
 }

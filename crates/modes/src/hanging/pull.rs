@@ -1,7 +1,7 @@
 //! What changes the velocities of limbs that hang loose.
 
 use super::loose::Loose;
-use crate::convex::cholesky;
+use crate::convex::cholesky::Envelope;
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{DynamicsError, Tree, Workspace, Wrench, inverse_dynamics, mass_matrix};
 use solaris_model::Figure;
@@ -20,6 +20,7 @@ pub(super) struct Pull {
     pub(super) pushed: Option<(usize, Wrench<f64>)>,
     /// Of what is loose: factors, row by row, and what is sought.
     factors: Vec<f64>,
+    envelope: Envelope,
     changes: Vec<f64>,
 }
 
@@ -35,6 +36,7 @@ impl Pull {
             tau: vec![0.0; nv],
             pushed: None,
             factors: Vec::new(),
+            envelope: Envelope::default(),
             changes: Vec::new(),
             tree,
         })
@@ -43,6 +45,7 @@ impl Pull {
     /// Room for so many that are loose.
     pub(super) fn make_room(&mut self, count: usize) {
         self.factors.resize(count * count, 0.0);
+        self.envelope = Envelope::full(count);
         self.changes.resize(count, 0.0);
     }
 
@@ -85,7 +88,7 @@ impl Pull {
             let own = held.force + (held.damping + ahead * held.stiffness) * row.velocity;
             self.changes[i] = h * (-self.tau[row.dof] - own);
         }
-        cholesky::factor(&mut self.factors, n);
-        cholesky::solve(&self.factors, n, &mut self.changes);
+        self.envelope.factor(&mut self.factors);
+        self.envelope.solve(&self.factors, &mut self.changes);
     }
 }

@@ -10,6 +10,7 @@ use super::state::StateMap;
 use crate::between::{Between, Kind};
 use crate::contact::ContactLaw;
 use crate::convex::Convex;
+use crate::convex::cholesky::Envelope;
 use crate::element::LimitLaw;
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use solaris_dynamics::scalar::Dual;
@@ -167,8 +168,9 @@ impl Impulses {
             carried.push(at.nv + link.parent().map_or(0, |parent| carried[parent]));
         }
         let width = 2 * carried.into_iter().max().unwrap_or(0);
+        let (of_mass, trees) = of_mass(reduction, &places, dofs);
         Self {
-            convex: Convex::new(dofs, conditions + loops, width),
+            convex: Convex::new(of_mass, trees, conditions + loops, width),
             step,
             order,
             matrix: DMatrix::zeros(nv, nv),
@@ -425,6 +427,31 @@ impl Impulses {
         // Limits, along the third number.
         self.loss -= impulses.map(|found| power(&found)[2]).sum::<f64>();
     }
+}
+
+/// What may not be zero of the mass matrix, at these places, and which tree each is of: a joint shares inertia with what it carries, and
+/// with nothing else.
+fn of_mass(reduction: &Reduction, places: &[Option<usize>], dofs: usize) -> (Envelope, Vec<usize>) {
+    let (links, joints) = (reduction.figure.links(), reduction.figure.layout().joints());
+    let own = |link: usize| places[joints[link].v..][..joints[link].nv].iter().flatten().copied();
+    // The first place of what each link carries, itself included; children have greater indices than their parents.
+    let mut carried = vec![dofs; links.len()];
+    let mut first = vec![0; dofs];
+    for link in (0..links.len()).rev() {
+        carried[link] = own(link).fold(carried[link], usize::min);
+        own(link).for_each(|place| first[place] = carried[link]);
+        if let Some(parent) = links[link].parent() {
+            carried[parent] = carried[parent].min(carried[link]);
+        }
+    }
+    let (mut trees, mut tree_of, mut count) = (vec![0; dofs], vec![None; links.len()], 0);
+    for link in 0..links.len() {
+        let inherited = links[link].parent().and_then(|parent| tree_of[parent]);
+        tree_of[link] = inherited.or_else(|| own(link).next().map(|_| count));
+        count += usize::from(tree_of[link] != inherited);
+        own(link).for_each(|place| trees[place] = tree_of[link].unwrap_or_default());
+    }
+    (Envelope::new(first), trees)
 }
 
 /// Accelerations of free joints whose velocities are told along axes that turn, and stay as they are along axes that do not: `−ω × v`.

@@ -123,10 +123,10 @@ fn the_report_tells_which_limbs_were_nearest_at_any_time() {
     let found = nearness(&walk.figure, &walk.motion).expect("measured").expect("shapes");
     let (mut frame, mut least) = (0, f64::INFINITY);
     for spell in spells {
-        let pair = found.pairs[found.frames[frame].pair].map(|link| walk.figure.links()[link].name());
+        let pair = found.frames[frame].links.map(|link| walk.figure.links()[link].name());
         assert_eq!(spell["links"], serde_json::json!(pair));
         assert!((number(&spell["from_s"]) - walk.motion.time()[frame]).abs() < 1e-9);
-        let same = |near: &&Near| near.pair == found.frames[frame].pair;
+        let same = |near: &&Near| near.links == found.frames[frame].links;
         let spell_frames = found.frames[frame..].iter().take_while(same);
         let distances: Vec<f64> = spell_frames.map(|near| near.distance).collect();
         frame += distances.len();
