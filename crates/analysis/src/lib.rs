@@ -31,7 +31,8 @@ pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual
 pub use loads::{LoadError, Loads};
 pub use medium::{MediumError, medium_forces};
 pub use nearness::{
-    LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness, nearness_but,
+    Clearance, LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness,
+    nearness_but,
 };
 pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};

@@ -1,11 +1,13 @@
 //! Nearness: the least distance between links of a figure in a motion.
 
+mod clearance;
 mod fill;
 mod flyers;
 mod limbs;
 mod outlines;
 mod segment;
 
+pub use clearance::Clearance;
 pub use limbs::{LimbOverlap, NearSpell, NearestLimbs};
 
 use flyers::Flyers;

@@ -4,7 +4,7 @@ mod goal;
 
 pub use goal::Goal;
 
-use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
+use nalgebra::{Cholesky, DMatrix, DVector, Matrix3, Vector3};
 use solaris_dynamics::{DynamicsError, Frame, Pose, Tree, Workspace, joint_jacobians, point_columns};
 use solaris_model::Figure;
 
@@ -15,6 +15,8 @@ const DAMPING: (f64, f64) = (1e-14, 1e8);
 /// The farthest that one step goes in any coordinate (rad or m).
 const STRIDE: f64 = 0.5;
 const MOST_STEPS: usize = 300;
+/// Directions in which the goal changes by less than this part of the most, in squares, are not taken out of a way.
+const SPARE: f64 = 1e-12;
 /// A step that lowers the square of the distance by less than this part of it is the last one.
 const PROMISE: f64 = 1e-13;
 /// How far (rad or m) coordinates are moved aside where they are in a position from which no small step leads on, such as a straight arm
@@ -248,6 +250,46 @@ impl Reach {
             *entry = entry.clamp(unknown.lower, unknown.upper);
         }
         self.descend(q, target, most_steps)
+    }
+
+    /// Takes out of a way, one number for each degree of freedom that it [moves](Self::moves), what would change how the goal is met, to first
+    /// order, and what would lead beyond limits: what is left is what the limb can do beside it.
+    ///
+    /// ```text
+    /// w ← w − Jᵀ·(J·Jᵀ)⁻¹·J·w
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`pose`](Self::pose).
+    pub fn spare(&mut self, q: &[f64], target: &Goal, way: &mut [f64]) -> Result<(), ReachError> {
+        self.columns(q, target)?;
+        let jacobian = &mut self.room.jacobian;
+        // At a limit it stays, and the others do without it.
+        for _ in 0..=self.unknowns.len() {
+            let square: Matrix3<f64> = (&*jacobian * jacobian.transpose()).fixed_view::<3, 3>(0, 0).into();
+            let damped = square + Matrix3::identity() * (SPARE * square.trace());
+            let own = Vector3::from_fn(|i, _| jacobian.row(i).iter().zip(&*way).map(|(j, w)| j * w).sum());
+            if let Some(inverse) = damped.try_inverse() {
+                let taken = inverse * own;
+                for (i, way) in way.iter_mut().enumerate() {
+                    *way -= taken.dot(&jacobian.fixed_view::<3, 1>(0, i));
+                }
+            }
+            let mut stuck = false;
+            for (i, (unknown, way)) in self.unknowns.iter().zip(way.iter_mut()).enumerate() {
+                let x = q[unknown.coordinate];
+                if (x <= unknown.lower && *way < 0.0) || (x >= unknown.upper && *way > 0.0) {
+                    jacobian.column_mut(i).fill(0.0);
+                    *way = 0.0;
+                    stuck = true;
+                }
+            }
+            if !stuck {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Steps that lower the distance, until none does.

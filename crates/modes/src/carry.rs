@@ -44,7 +44,11 @@ pub(crate) fn check_span(
     lasts: impl Fn() -> String,
 ) -> Result<(), SetupError> {
     check_not_negative(begins, from)?;
-    if until.is_infinite() && until > 0.0 { Ok(()) } else { check_positive(lasts, until - from) }
+    if until > from {
+        return Ok(());
+    }
+    // 0.1 − 0.3 is told as −0.2.
+    check_positive(lasts, (1e12 * (until - from)).round() / 1e12)
 }
 
 impl Simulation {

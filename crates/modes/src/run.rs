@@ -66,6 +66,25 @@ struct Chosen {
 }
 
 impl Simulation {
+    /// Refuses settings out of range, what waits for a ground that is not there, and loops that begin open: what can be told without
+    /// beginning to run.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError`].
+    pub fn check_setup(&self, settings: &Settings) -> Result<(), SetupError> {
+        check_settings(settings)?;
+        touching::check(self)?;
+        let by_impulses = matches!(settings.method, Method::Impulses { .. }) || self.collisions.is_some();
+        if by_impulses || self.closed().next().is_none() {
+            return Ok(());
+        }
+        let (mut q, mut v) = (self.q.clone(), self.v.clone());
+        self.figure.follow(&mut q, &mut v, &mut vec![0.0; self.v.len()]);
+        let mut body = crate::body::Body::new(&self.figure, self.gravity, &[], &self.limits)?;
+        closing::check(self, &mut body, &q, &v)
+    }
+
     /// Refuses what [`Self::run`] would refuse at the beginning: settings out of range, drives that cannot begin, a start
     /// that the guard does not let pass.
     ///

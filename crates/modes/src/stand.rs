@@ -21,6 +21,19 @@ impl Simulation {
         Ok(first.unwrap_or(0.0))
     }
 
+    /// The link that begins deepest in the ground, and how deep (m); none where nothing begins in it.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::Dynamics`] for a figure or a start that the kernel refuses.
+    pub fn begins_in_ground(&self) -> Result<Option<(usize, f64)>, SetupError> {
+        let Some(surface) = &self.surface else { return Ok(None) };
+        let mut body = Body::<f64>::new(&self.figure, self.gravity, &[], &self.limits)?.on(Some(surface));
+        body.place(&self.q)?;
+        let depths = surface.contact_points.iter().enumerate().map(|(i, touch)| (touch.link, -body.gap(i)));
+        Ok(depths.filter(|(_, depth)| *depth > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)))
+    }
+
     /// The root; or the roots of several figures as one, those that move.
     fn roots(&self) -> Vec<usize> {
         let links = self.figure.links();

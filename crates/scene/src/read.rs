@@ -1,6 +1,7 @@
 //! The reader of scenes, with every fault on the way.
 
 mod actuators;
+mod apart;
 mod carries;
 mod clips;
 mod collisions;
@@ -25,6 +26,7 @@ mod springs;
 mod start;
 mod velocities;
 mod walk;
+mod words;
 
 use crate::loader::Loader;
 use crate::member::Member;
@@ -35,7 +37,7 @@ use nalgebra::Vector3;
 use names::Names;
 use solaris_model::text::{Expected, ExpectedKind, Fields, Node, ReadSpatial as _, Reader, Value, parse};
 use solaris_model::{Figure, TextError};
-use solaris_modes::{SetupError, Simulation};
+use solaris_modes::{Settings, SetupError, Simulation};
 use solaris_profiles::Profile;
 use std::ops::Range;
 
@@ -94,6 +96,8 @@ struct SceneReader<'l> {
     gravity: Vector3<f64>,
     /// Of whom it is to be said that they were stood up.
     stood: Vec<String>,
+    /// Where the names stand of links whose touches are waited for.
+    awaited: Vec<(String, Range<usize>)>,
 }
 
 /// The scene that `text` describes.
@@ -144,7 +148,8 @@ pub(crate) fn expected(text: &str, at: usize, loader: &mut dyn Loader) -> Vec<Ex
 }
 
 impl<'l> SceneReader<'l> {
-    fn new(reader: Reader, loader: &'l mut dyn Loader) -> Self {
+    fn new(mut reader: Reader, loader: &'l mut dyn Loader) -> Self {
+        reader.explain(&words::OF_OTHERS);
         Self {
             reader,
             loader,
@@ -159,6 +164,7 @@ impl<'l> SceneReader<'l> {
             members: Vec::new(),
             gravity: GRAVITY,
             stood: Vec::new(),
+            awaited: Vec::new(),
         }
     }
 }
@@ -206,6 +212,12 @@ impl SceneReader<'_> {
         said.extend(open);
         said.extend(notes);
         let settings = self.settings(&fields, walked);
+        if let Some(settings) = &settings {
+            self.check(&fields, settings);
+        }
+        said.extend(self.idle_blows());
+        said.extend(settings.as_ref().and_then(settings::cut));
+        said.extend(walk.is_none().then(|| self.begins_below()).flatten());
         said.extend(settings.as_ref().into_iter().flat_map(|settings| self.late_pushes(settings.duration)));
         let simulation = self.simulation.take()?;
         Some(Scene {
@@ -217,6 +229,22 @@ impl SceneReader<'_> {
             members: std::mem::take(&mut self.members),
             friction,
         })
+    }
+
+    /// Refuses what can be told without beginning to run, where it stands.
+    fn check(&mut self, fields: &Fields<'_, '_>, settings: &Settings) {
+        let Some(simulation) = self.simulation.as_ref().filter(|_| self.reader.count() == 0) else { return };
+        let Err(error) = simulation.check_setup(settings) else { return };
+        let place = match &error {
+            SetupError::NothingTouches { link } => {
+                self.awaited.iter().find(|(name, _)| name == link).map(|(_, place)| place.clone())
+            }
+            SetupError::OpenLoop { .. } => fields.get("loops").map(Node::place),
+            _ => None,
+        };
+        let method = fields.get("method").or(fields.get("tolerance")).map(Node::place);
+        let place = place.or(method).unwrap_or_else(|| fields.at.clone());
+        self.setup::<()>(&place, Err(error));
     }
 
     /// Adds what the simulation has to say about what stands at `span`.

@@ -23,7 +23,9 @@ pub(crate) fn setup(error: &SetupError) -> String {
     match error {
         SetupError::NoGround => format!("{error} (contact: Compliant(stiffness: 1e5), up: (0, 1, 0))"),
         SetupError::NoWayDown { .. } => format!("{error} (start: {{…}}, without stand)"),
-        SetupError::NotBuiltIn { .. } => format!("{error} (method: RungeKutta4(step: 1e-3))"),
+        SetupError::NotBuiltIn { .. } => format!(
+            "{error} (method: RungeKutta4(step: 1e-3)), or build with the feature stiff (cargo build --release --features stiff)"
+        ),
         _ => error.to_string(),
     }
 }
@@ -55,6 +57,7 @@ mod tests {
     #[test]
     fn setups_say_what_to_write() {
         let error = SetupError::NotBuiltIn { method: "stiff" };
-        assert!(setup(&error).ends_with("take Runge-Kutta 4 with a step (method: RungeKutta4(step: 1e-3))"));
+        let said = "take Runge-Kutta 4 with a step (method: RungeKutta4(step: 1e-3)), or build with the feature stiff";
+        assert!(setup(&error).contains(said), "{}", setup(&error));
     }
 }

@@ -22,6 +22,8 @@ pub struct Reader {
     /// The place that somebody asks about.
     asked: Option<usize>,
     expected: Vec<Expected>,
+    /// What words of others are sought in, or beside, they, and what to write instead.
+    words: &'static [(&'static str, &'static str, &'static str)],
 }
 
 impl Reader {
@@ -33,7 +35,13 @@ impl Reader {
     /// A reader without faults that takes note of the same place, to be [appended](Self::append) to this one.
     #[must_use]
     pub fn beside(&self) -> Self {
-        Self { asked: self.asked, ..Self::default() }
+        Self { asked: self.asked, words: self.words, ..Self::default() }
+    }
+
+    /// From now on a message about one of these words that is near to none that is known says what to write instead, the third of each; the
+    /// first is the group that it is a field of, or a word that could stand in its place.
+    pub fn explain(&mut self, words: &'static [(&'static str, &'static str, &'static str)]) {
+        self.words = words;
     }
 
     /// Whether it takes note of what may stand somewhere: what is read is of no use then.

@@ -63,12 +63,14 @@ pub(super) fn add(
         let step = frame.checked_sub(1).map_or(0.0, |before| time - motion.time()[before]);
         let found = body.touching(motion.q(frame), motion.v(frame));
         let found = found.map_err(|error| guard::of_dynamics(time, error))?;
-        let pressed: Vec<(usize, Pressed<f64>)> =
+        let mut pressed: Vec<(usize, Pressed<f64>)> =
             contact_points.iter().map(|touch| touch.link).zip(found).collect();
+        pressed.sort_by_key(|(link, _)| *link);
         let stands = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let stands = &stands[..stands.partition_point(|(of, ..)| *of == frame)];
         for foot in &mut feet {
-            let own = pressed.iter().filter(|(link, _)| *link == foot.link).map(|(_, pressed)| pressed);
+            let own = &pressed[pressed.partition_point(|(link, _)| *link < foot.link)..];
+            let own = own.iter().take_while(|(link, _)| *link == foot.link).map(|(_, pressed)| pressed);
             let mut state = State::of(own.clone(), &plane.up);
             if is_found {
                 // What stands does not slip, but for what slides without friction.

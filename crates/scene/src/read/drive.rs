@@ -241,6 +241,7 @@ impl SceneReader<'_> {
                 // Without a figure the name means nothing yet.
                 if self.simulation.is_some() {
                     self.link(name, link, None)?;
+                    self.awaited.push((link.to_owned(), name.span.clone()));
                 }
                 Some(if kind == "Touches" {
                     EndCondition::TouchDown { link: link.to_owned() }

@@ -24,6 +24,9 @@ fn known(kind: &str) -> &'static [&'static str] {
 const LAWS: [&str; 4] = ["Compliant", "Rigid", "Spring", "Planted"];
 const EXAMPLE: &str = "(\"foot\", (0, -0.08, 0.1), 0.02)";
 
+/// What begins deeper in the ground (m) was hardly meant to.
+const BELOW: f64 = 0.05;
+
 impl SceneReader<'_> {
     /// What the scene's ground is to one who walks over it.
     pub(super) fn terrain(&mut self, fields: &Fields<'_, '_>) -> Option<WalkGround> {
@@ -143,6 +146,20 @@ impl SceneReader<'_> {
         }
     }
 
+    /// What there is to say of what dynamics move and begins far in the ground, where no walk stands on it.
+    pub(super) fn begins_below(&self) -> Option<String> {
+        let simulation = self.simulation.as_ref()?;
+        let (link, depth) = simulation.begins_in_ground().ok().flatten()?;
+        let is_moved = self.moved_by_dynamics().contains(&link);
+        let link = simulation.figure().links()[link].name();
+        (is_moved && depth > BELOW).then(|| {
+            format!(
+                "'{link}' begins {depth:.2} m in the ground, which throws it out: stand: true in the ground puts figures on it, or let it \
+                 begin higher (start, places)"
+            )
+        })
+    }
+
     /// Refuses what a walk decides by itself.
     fn under_a_walk(&mut self, own: &Fields<'_, '_>) {
         for (field, why) in [
@@ -157,7 +174,7 @@ impl SceneReader<'_> {
     }
 
     /// Links that are moved by anything but a motion that is given.
-    fn moved_by_dynamics(&self) -> Vec<usize> {
+    pub(super) fn moved_by_dynamics(&self) -> Vec<usize> {
         let Some(simulation) = &self.simulation else { return Vec::new() };
         let figure = simulation.figure();
         let mut moved = vec![false; figure.links().len()];

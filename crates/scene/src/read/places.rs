@@ -2,12 +2,15 @@
 
 use super::SceneReader;
 use nalgebra::{Unit, UnitQuaternion, Vector3};
-use solaris_model::Placement;
 use solaris_model::text::{ExpectedKind, Fields, Node, ReadSpatial as _};
+use solaris_model::{Placement, nearest};
 use std::collections::HashMap;
 use std::ops::Range;
 
 const EXAMPLE: &str = "{\"bob\": (beside: \"ann\", at: (0, 0, 1.5), facing: deg(180))}";
+
+/// The most names of figures that a message tells.
+const MOST_TOLD: usize = 8;
 
 /// A figure of a scene, or some people of a crowd: its own place in that, or none.
 pub(super) struct Member {
@@ -98,9 +101,18 @@ impl SceneReader<'_> {
         if names.contains(&name) {
             return Some(name);
         }
-        let message = format!("there is no figure '{name}'");
-        self.reader.unknown_name(node.span.clone(), &message, name, names.iter().copied());
+        self.no_figure(node, name, names);
         None
+    }
+
+    /// Says that there is no figure of this name, and which there are where none is near.
+    pub(super) fn no_figure(&mut self, node: &Node<'_>, name: &str, names: &[&str]) {
+        let mut message = format!("there is no figure '{name}'");
+        if nearest(name, names.iter().copied()).is_none() {
+            let more = if names.len() > MOST_TOLD { ", …" } else { "" };
+            message += &format!("; there are {}{more}", names[..names.len().min(MOST_TOLD)].join(", "));
+        }
+        self.reader.unknown_name(node.span.clone(), &message, name, names.iter().copied());
     }
 }
 

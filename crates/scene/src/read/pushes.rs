@@ -36,6 +36,22 @@ impl SceneReader<'_> {
         late.map(said).collect()
     }
 
+    /// What there is to say of blows on what dynamics do not move: they are over before any force could be told.
+    pub(super) fn idle_blows(&self) -> Vec<String> {
+        let Some(simulation) = &self.simulation else { return Vec::new() };
+        let moved = self.moved_by_dynamics();
+        let is_blow = |push: &&Push| matches!(push.law, PushLaw::Impulse { over, .. } if over <= 0.0);
+        let idle = simulation.pushes().iter().filter(is_blow).filter(|push| !moved.contains(&push.link));
+        let said = |push: &Push| {
+            let name = simulation.figure().links()[push.link].name();
+            format!(
+                "the blow on '{name}' changes nothing: it moves as it is told, and so does what carries it; give the push a time, \
+                 over: 0.1, for the forces that bear it"
+            )
+        };
+        idle.map(said).collect()
+    }
+
     /// `Push(link: "hand", at: (0, 0, 0), force: (x, y, z), from: 0, over: 0.2)`
     fn push(&mut self, node: &Node<'_>) -> Option<Push> {
         let fields = self.reader.fields(node, &["Push"], &FIELDS)?;

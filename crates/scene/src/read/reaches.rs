@@ -4,17 +4,19 @@
 mod asked;
 mod beforehand;
 mod layer;
+mod layers;
 mod order;
 mod samples;
 mod way;
 
-use super::SceneReader;
+use super::{SceneReader, apart};
 use asked::Asked;
 use beforehand::{Beforehand, carriers, is_known, leader};
 use layer::{Layer, Placed};
+use layers::Layers;
 use nalgebra::Vector3;
 use samples::Samples;
-use solaris_analysis::{REACHED, Reach};
+use solaris_analysis::{Clearance, REACHED, Reach};
 use solaris_dynamics::{Tree, Workspace};
 use solaris_model::text::{Fields, Node};
 use solaris_modes::{Drive, EndCondition, RecordedMotion, Simulation, Step};
@@ -147,23 +149,26 @@ impl SceneReader<'_> {
             layers.push(layer);
         }
         let tree = Tree::new(figure, Vector3::zeros()).map_err(|error| whole(error.to_string()))?;
-        let mut placed = Placed { workspace: Workspace::new(&tree), tree };
+        let placed = Placed { workspace: Workspace::new(&tree), tree };
         let times = samples::times(asked, duration, beforehand.is_still()).map_err(whole)?;
         let mut samples = Samples::new(&layers, times, beforehand.is_still());
-        for k in 0..samples.times.len() {
-            let mut q = beforehand.positions(figure, samples.times[k]);
-            for layer in &mut layers {
-                let applied = layer.apply(&mut q, samples.times[k], &mut placed);
-                applied.map_err(|why| (layer.asked.place.clone(), why))?;
-            }
-            samples.positions.push(q);
-        }
+        // What is followed is to be touched.
+        let followed: Vec<[usize; 2]> =
+            asked.iter().filter_map(|one| Some([one.link, one.what.followed()?])).collect();
+        let clearance = Clearance::new(figure, &samples.dofs(), &followed);
+        let mut clearance = clearance.map_err(|error| whole(error.to_string()))?;
+        let times = samples.times.clone();
+        let mut found = Layers::new(figure, &beforehand, &times, layers, placed);
+        let cuts = apart::keep(&mut clearance, &times, &mut found).map_err(whole)?;
+        let layers;
+        (samples.positions, layers) = found.finish();
         let motion = samples.motion(figure, *simulation.gravity(), &beforehand, duration).map_err(whole)?;
         let recorded = RecordedMotion::new(motion).map_err(|error| whole(error.to_string()))?;
         self.follow(&samples, &Arc::new(recorded), node)?;
         // What is followed in part is not there anyway.
         let misses = |layer: &&Layer<'_>| layer.asked.weight >= 1.0 && layer.worst.0 > REACHED;
-        let notes = layers.iter().filter(misses).map(note).collect();
+        let mut notes: Vec<String> = layers.iter().filter(misses).map(note).collect();
+        notes.extend(self.cuts(&cuts));
         Ok((notes, samples.dofs()))
     }
 

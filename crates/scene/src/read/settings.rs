@@ -17,6 +17,18 @@ const METHODS: [&str; 8] = [
     "Stiff",
 ];
 
+/// What there is to say of a step that is longer than a frame.
+pub(super) fn cut(settings: &Settings) -> Option<String> {
+    let (Method::Fixed { step, .. } | Method::Impulses { step }) = settings.method else { return None };
+    let frame = settings.rate.recip();
+    (step > frame * (1.0 + 1e-9)).then(|| {
+        format!(
+            "steps end at frames: a step of {step} s is cut to {frame:.3e} s, for {} frames a second",
+            settings.rate
+        )
+    })
+}
+
 impl SceneReader<'_> {
     /// The settings; a walk lasts as long as it is.
     pub(super) fn settings(&mut self, fields: &Fields<'_, '_>, walk: Option<f64>) -> Option<Settings> {

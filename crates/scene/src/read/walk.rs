@@ -9,7 +9,7 @@ use crate::scene::Walked;
 use nalgebra::Vector3;
 use solaris_gait::{GaitError, RequestError, WalkGround, WalkSegment, WalkSequence};
 use solaris_model::text::{ExpectedKind, Fields, Node};
-use solaris_model::{Figure, Known, Motion, MotionError, MotionInfo, Placement, Trajectory};
+use solaris_model::{Figure, JointKind, Known, Motion, MotionError, MotionInfo, Placement, Trajectory};
 use solaris_modes::{Drive, RecordedMotion};
 use std::sync::Arc;
 
@@ -84,6 +84,14 @@ fn reason(error: &GaitError) -> &GaitError {
 fn is_of_ground(error: &GaitError) -> bool {
     let GaitError::Request(RequestError::Range { parameter, .. }) = reason(error) else { return false };
     ["slope", "stairs", "rise", "tread"].contains(parameter)
+}
+
+/// Whether it is a person made for falls.
+fn is_limp(figure: &Figure) -> bool {
+    let kind = |link: usize| figure.links()[link].joint().kind();
+    let arm = figure.link_index("left_upper_arm");
+    matches!(kind(0), JointKind::Free { .. })
+        && arm.is_some_and(|arm| matches!(kind(arm), JointKind::Ball { .. }))
 }
 
 impl SceneReader<'_> {
@@ -174,8 +182,7 @@ impl SceneReader<'_> {
             let found: Vec<usize> = (0..names.len()).filter(|at| matches(name, names[*at])).collect();
             // Without figures no name means anything yet.
             if found.is_empty() && !names.is_empty() {
-                let message = format!("there is no figure '{name}'");
-                self.reader.unknown_name(key.span.clone(), &message, name, names.iter().copied());
+                self.no_figure(key, name, &names);
             }
             for at in found {
                 if taken.contains(&at) {
@@ -246,6 +253,11 @@ impl SceneReader<'_> {
     ) -> Option<(WalkSequence, Motion)> {
         let (written, mut segments): (Vec<_>, Vec<_>) = segments.into_iter().unzip();
         self.lay_under(fields, terrain, &mut segments)?;
+        if is_limp(figure) {
+            let message = "a limp person does not walk; leave 'joints: Limp' out, or let another one walk";
+            self.reader.fault(node.place(), message);
+            return None;
+        }
         let plan = WalkSequence::new(figure, &segments);
         let plan = plan.map_err(|error| match fields.get("ground").filter(|_| is_of_ground(&error)) {
             Some(ground) => self.reader.fault(ground.place(), reason(&error).to_string()),

@@ -107,7 +107,9 @@ impl Reader {
                     let near = nearest(head.name, kinds.iter().copied());
                     let hint = match &near {
                         Some(near) => format!("did you mean '{near}'?"),
-                        None => format!("write {}", wanted()),
+                        None => self
+                            .explained(head.name, kinds)
+                            .map_or_else(|| format!("write {}", wanted()), str::to_owned),
                     };
                     self.fault_meaning(head.span, format!("'{}' is not known here; {hint}", head.name), near);
                 }
@@ -121,6 +123,12 @@ impl Reader {
         }
     }
 
+    /// What to write instead of a word of others in one of these groups, or beside one of these words.
+    fn explained(&self, word: &str, at: &[&str]) -> Option<&'static str> {
+        let found = self.words.iter().find(|(of, other, _)| *other == word && at.contains(of));
+        found.map(|(.., instead)| *instead)
+    }
+
     /// Finds fields that are not `known`, and those given twice; whether there are any.
     pub fn only_known(&mut self, fields: &Fields<'_, '_>, known: &[&str]) -> bool {
         let (kind, before) = (fields.kind, self.faults.len());
@@ -132,8 +140,11 @@ impl Reader {
                 let near = nearest(name, known.iter().copied());
                 let hint = match &near {
                     Some(near) => format!("did you mean '{near}'?"),
-                    None if known.is_empty() => "it has none".to_owned(),
-                    None => format!("its fields are {}", known.join(", ")),
+                    None => match self.explained(name, &[kind]) {
+                        Some(explained) => explained.to_owned(),
+                        None if known.is_empty() => "it has none".to_owned(),
+                        None => format!("its fields are {}", known.join(", ")),
+                    },
                 };
                 let message = format!("{kind} has no field '{name}'; {hint}");
                 self.fault_meaning(named.span.clone(), message, near);

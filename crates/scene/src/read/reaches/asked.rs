@@ -2,6 +2,7 @@
 
 use super::beforehand::carriers;
 use crate::read::SceneReader;
+use crate::read::apart::APART;
 use crate::read::names::matches;
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 use solaris_model::text::{Fields, Node, ReadSpatial as _, Value};
@@ -30,6 +31,8 @@ pub(super) struct Asked {
     pub(super) back: f64,
     /// How much of it the joints take over, 0 to 1.
     pub(super) weight: f64,
+    /// How far apart its joints keep links (m).
+    pub(super) clearance: f64,
     pub(super) what: What,
 }
 
@@ -81,9 +84,9 @@ fn is_pattern(fields: &Fields<'_, '_>) -> bool {
 
 fn known(kind: &str) -> &'static [&'static str] {
     match kind {
-        "Look" => &["tip", "at", "axis", "by", "to", "over", "from", "until", "back", "weight"],
-        "Hold" => &["tip", "by", "turned", "over", "from", "until", "back", "weight"],
-        _ => &["tip", "at", "by", "to", "along", "over", "from", "until", "back", "weight"],
+        "Look" => &["tip", "at", "axis", "by", "to", "over", "from", "until", "back", "weight", "clearance"],
+        "Hold" => &["tip", "by", "turned", "over", "from", "until", "back", "weight", "clearance"],
+        _ => &["tip", "at", "by", "to", "along", "over", "from", "until", "back", "weight", "clearance"],
     }
 }
 
@@ -110,9 +113,11 @@ impl SceneReader<'_> {
         };
         let (until, back) = self.given_up(&fields, from, over);
         let weight = fields.get("weight").map_or(Some(1.0), |node| self.weight(node));
+        let clearance = self.apart(&fields, APART);
         if self.reader.count() > before {
             return None;
         }
+        let clearance = clearance?;
         let (place, point, from, over, what) = (node.place(), at?, from?, over?, what?);
         let (until, back, weight) = (until?, back?, weight?);
         let tips = tips?;
@@ -125,7 +130,7 @@ impl SceneReader<'_> {
                 by.retain(|dof| carriers.contains(dof));
             }
             let (place, what) = (place.clone(), what.clone());
-            Asked { place, name, link, point, by, from, over, until, back, weight, what }
+            Asked { place, name, link, point, by, from, over, until, back, weight, clearance, what }
         };
         Some(tips.into_iter().map(of).collect())
     }

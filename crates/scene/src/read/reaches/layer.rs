@@ -2,9 +2,11 @@
 
 use super::asked::{Asked, Spot, What};
 use super::way::{Way, share};
+use crate::read::apart::{Nudge, way};
 use nalgebra::{Rotation3, Unit, UnitQuaternion, Vector3};
 use solaris_analysis::{Goal, Reach};
 use solaris_dynamics::{Pose, Tree, Workspace, forward_kinematics};
+use std::collections::HashMap;
 
 /// Places all links of a figure in a configuration.
 pub(super) struct Placed {
@@ -23,6 +25,8 @@ impl Placed {
 struct Solved {
     goal: Goal,
     otherwise: Vec<f64>,
+    /// What was added to the positions of its joints before they were found.
+    added: Vec<f64>,
     q: Vec<f64>,
     off: f64,
 }
@@ -35,6 +39,10 @@ pub(super) struct Layer<'a> {
     coordinates: Vec<usize>,
     begun: Option<Begun>,
     solved: Option<Solved>,
+    /// What keeps links apart.
+    nudges: Vec<Nudge>,
+    /// What is to be, by time of the run (the bits of s).
+    goals: HashMap<u64, Goal>,
     /// The farthest that it is off (m or rad), and when (s).
     pub(super) worst: (f64, f64),
 }
@@ -50,7 +58,63 @@ struct Begun {
 impl<'a> Layer<'a> {
     pub(super) fn new(asked: &'a Asked, solver: Reach) -> Self {
         let coordinates = solver.moves().map(|(_, coordinate, _)| coordinate).collect();
-        Self { asked, solver, coordinates, begun: None, solved: None, worst: (0.0, 0.0) }
+        Self {
+            asked,
+            solver,
+            coordinates,
+            begun: None,
+            solved: None,
+            nudges: Vec::new(),
+            goals: HashMap::new(),
+            worst: (0.0, 0.0),
+        }
+    }
+
+    /// Begins anew.
+    pub(super) fn rewind(&mut self) {
+        (self.begun, self.solved, self.worst) = (None, None, (0.0, 0.0));
+    }
+
+    /// How much of what is found its joints do at a time of the run (s): nothing before it begins, and after it has been given up.
+    pub(super) fn share_at(&self, time: f64) -> f64 {
+        let asked = self.asked;
+        let left = if time > asked.until { 1.0 - share((time - asked.until) / asked.back) } else { 1.0 };
+        if time < asked.from { 0.0 } else { asked.weight * left }
+    }
+
+    /// Adds a way that takes two links `by` (m) farther apart at a time, where the whole figure is at `q` and their distance changes by
+    /// `slopes` with degrees of freedom, and which changes nothing of what is asked; whether there is any.
+    pub(super) fn nudge(
+        &mut self,
+        (q, time): (&[f64], f64),
+        slopes: &[(usize, f64)],
+        by: f64,
+        mut nudge: Nudge,
+    ) -> Result<bool, String> {
+        let Some(goal) = self.goals.get(&time.to_bits()).copied() else { return Ok(false) };
+        let slope = |dof: usize| slopes.iter().find(|(own, _)| *own == dof).map_or(0.0, |(_, slope)| *slope);
+        let own: Vec<f64> = self.moves().map(|(dof, ..)| slope(dof)).collect();
+        let mut free = own.clone();
+        self.solver.spare(q, &goal, &mut free).map_err(|error| error.to_string())?;
+        let Some(by) = way(&own, free, by / self.share_at(time)) else { return Ok(false) };
+        nudge.by = by;
+        self.nudges.push(nudge);
+        Ok(true)
+    }
+
+    /// Takes back what was added because of a pair of links.
+    pub(super) fn take_back(&mut self, pair: usize) {
+        self.nudges.retain(|nudge| nudge.pair != pair);
+    }
+
+    /// What is added to the positions of its joints at a time (s).
+    fn added(&self, time: f64) -> Vec<f64> {
+        let mut added = vec![0.0; self.coordinates.len()];
+        for nudge in &self.nudges {
+            let [much, ..] = nudge.at(time);
+            added.iter_mut().zip(&nudge.by).for_each(|(added, by)| *added += much * by);
+        }
+        added
     }
 
     /// Degrees of freedom that it moves, with their coordinates and limits.
@@ -72,12 +136,14 @@ impl<'a> Layer<'a> {
             return Ok(());
         }
         let goal = self.goal(q, time, placed)?;
-        let otherwise = q.to_vec();
+        self.goals.insert(time.to_bits(), goal);
+        let (otherwise, added) = (q.to_vec(), self.added(time));
         // What does not change is not found anew.
-        let same = self.solved.take_if(|last| last.goal == goal && last.otherwise == otherwise);
-        let solved = match same {
+        let is_same =
+            |last: &mut Solved| last.goal == goal && last.otherwise == otherwise && last.added == added;
+        let solved = match self.solved.take_if(is_same) {
             Some(same) => same,
-            None => self.solve(q, goal, otherwise)?,
+            None => self.solve(q, goal, otherwise, added)?,
         };
         let weight = asked.weight * left;
         for (&coordinate, new) in self.coordinates.iter().zip(&solved.q) {
@@ -91,16 +157,24 @@ impl<'a> Layer<'a> {
         Ok(())
     }
 
-    /// The positions that meet a goal, from those found last, moved on by as much as its joints would otherwise have moved.
-    fn solve(&mut self, q: &mut [f64], goal: Goal, otherwise: Vec<f64>) -> Result<Solved, String> {
-        if let Some(last) = &self.solved {
-            for (&coordinate, found) in self.coordinates.iter().zip(&last.q) {
-                q[coordinate] = found + (otherwise[coordinate] - last.otherwise[coordinate]);
+    /// The positions that meet a goal, from those found last, moved on by as much as its joints would otherwise have moved and by what is
+    /// added.
+    fn solve(
+        &mut self,
+        q: &mut [f64],
+        goal: Goal,
+        otherwise: Vec<f64>,
+        added: Vec<f64>,
+    ) -> Result<Solved, String> {
+        for (i, &coordinate) in self.coordinates.iter().enumerate() {
+            q[coordinate] += added[i];
+            if let Some(last) = &self.solved {
+                q[coordinate] += last.q[i] - last.otherwise[coordinate] - last.added[i];
             }
         }
         let reached = self.solver.solve(q, &goal).map_err(|error| error.to_string())?;
         let found = self.coordinates.iter().map(|coordinate| q[*coordinate]).collect();
-        Ok(Solved { goal, otherwise, q: found, off: reached.off })
+        Ok(Solved { goal, otherwise, added, q: found, off: reached.off })
     }
 
     /// What is to be at a time of the run (s): from what would otherwise be it goes over into what is asked.

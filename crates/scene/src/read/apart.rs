@@ -1,0 +1,236 @@
+//! Motions that keep links apart: the least that is needed is added to them, for as long as it is needed.
+
+use super::SceneReader;
+use solaris_analysis::{Clearance, NearnessError};
+use solaris_model::text::Fields;
+use std::collections::BTreeMap;
+
+/// How far apart links are kept (m) where nothing else is said.
+pub(super) const APART: f64 = 5e-3;
+/// The farthest that links are kept apart (m).
+pub(super) const MOST_APART: f64 = 0.2;
+/// How much farther (m) what is added takes them, so that there is an end of it.
+const MORE: f64 = 5e-4;
+/// In what time it comes and goes (s).
+const COMES_IN: f64 = 0.3;
+/// What is added in one round, at most (rad or m).
+const STRIDE: f64 = 0.15;
+/// How often something is added because of the same pair of links, and for all of them together.
+const MOST_OF_PAIR: usize = 24;
+const MOST_ROUNDS: usize = 150;
+
+impl SceneReader<'_> {
+    /// How far apart links are to be kept (m), a field `clearance`.
+    pub(super) fn apart(&mut self, fields: &Fields<'_, '_>, usual: f64) -> Option<f64> {
+        let Some(node) = fields.get("clearance") else { return Some(usual) };
+        let apart = self.reader.number(node, "the clearance")?;
+        if (0.0..=MOST_APART).contains(&apart) {
+            return Some(apart);
+        }
+        let message = format!(
+            "the clearance is {apart} m; it must be from 0, where nothing is kept apart, to {MOST_APART} m"
+        );
+        self.reader.fault(node.span.clone(), message);
+        None
+    }
+
+    /// What there is to say of links that cannot be kept apart.
+    pub(super) fn cuts(&self, cuts: &[Cuts]) -> Vec<String> {
+        let name = |link: usize| self.figure().map_or("", |figure| figure.links()[link].name());
+        let said = |Cuts { links: [a, b], distance, time }: &Cuts| {
+            let (near, mm) = (
+                if *distance < 0.0 { "go into each other by" } else { "come as near as" },
+                1e3 * distance.abs(),
+            );
+            format!(
+                "'{}' and '{}' {near} {mm:.1} mm, at {time:.2} s: nothing that moves them is free to keep them apart; name more joints in \
+                 'by', or ask for another way",
+                name(*a),
+                name(*b)
+            )
+        };
+        cuts.iter().map(said).collect()
+    }
+}
+
+/// Something that is added to coordinates for a time, all of it from `full` until `falls`, with the least jerk before and after.
+#[derive(Clone, Debug)]
+pub(super) struct Nudge {
+    /// Because of which pair of links.
+    pub(super) pair: usize,
+    rises: f64,
+    full: f64,
+    falls: f64,
+    /// By coordinate, in the order of who adds it (rad, m).
+    pub(super) by: Vec<f64>,
+}
+
+impl Nudge {
+    /// How much of it there is at a time (s), with its derivatives: 0 to 1.
+    pub(super) fn at(&self, time: f64) -> [f64; 3] {
+        let over = self.full - self.rises;
+        if time < self.full && over > 0.0 {
+            return share((time - self.rises) / over, over);
+        }
+        let [gone, rate, change] = share((time - self.falls) / COMES_IN, COMES_IN);
+        [1.0 - gone, -rate, -change]
+    }
+}
+
+/// A change of least jerk from 0 to 1 at a part `u` of its time `over` (s), with its derivatives.
+fn share(u: f64, over: f64) -> [f64; 3] {
+    if !(0.0..1.0).contains(&u) {
+        return [if u < 0.0 { 0.0 } else { 1.0 }, 0.0, 0.0];
+    }
+    let away = 1.0 - u;
+    [
+        u * u * u * (10.0 - u * (15.0 - 6.0 * u)),
+        30.0 * u * u * away * away / over,
+        60.0 * u * away * (1.0 - 2.0 * u) / (over * over),
+    ]
+}
+
+/// A motion at some times, to which nudges can be added.
+pub(super) trait Nudged {
+    /// The positions of the whole figure at each of the times, with what was added.
+    fn positions(&mut self) -> Result<&[Vec<f64>], String>;
+
+    /// How far apart a pair of links is to be at a time (m): nothing where the motion does not move it then.
+    fn wanted(&self, frame: usize, dofs: &[usize]) -> f64;
+
+    /// The positions without the motion, where that is over something else.
+    fn otherwise(&self, frame: usize) -> Option<Vec<f64>>;
+
+    /// From when to when (s) something may be added about a time; before the first it must be nothing, unless that is `None`.
+    fn span(&self, frame: usize, dofs: &[usize]) -> (Option<f64>, f64);
+
+    /// Adds a way that takes two links `by` (m) farther apart at a frame, where their distance changes by `slopes` with degrees of freedom;
+    /// whether there is any.
+    fn nudge(&mut self, frame: usize, slopes: &[(usize, f64)], by: f64, nudge: Nudge)
+    -> Result<bool, String>;
+
+    /// Takes back what was added because of a pair.
+    fn take_back(&mut self, pair: usize);
+}
+
+/// A pair that could not be kept apart.
+pub(super) struct Cuts {
+    pub(super) links: [usize; 2],
+    /// How far apart it is (m), negative for how deep in each other, and when (s).
+    pub(super) distance: f64,
+    pub(super) time: f64,
+}
+
+/// What has been tried for a pair: how often, and the least that was missing.
+struct Tried {
+    count: usize,
+    least: f64,
+    since: usize,
+}
+
+/// Keeps links apart in a motion, by as little as is needed; what cannot be kept apart stays as it was.
+///
+/// In each round the pair that misses most is taken farther apart where it does, along the slope of its distance as far as that is free,
+///
+/// ```text
+/// δ = P·W·g·(d* − d)/(gᵀ·P·W·g)
+/// ```
+///
+/// and what is added comes and goes within 0.3 s about the time in which the pair is too near. Links that would be nearer without the motion
+/// need not be farther apart with it.
+pub(super) fn keep(
+    clearance: &mut Clearance,
+    times: &[f64],
+    motion: &mut impl Nudged,
+) -> Result<Vec<Cuts>, String> {
+    let text = |error: NearnessError| error.to_string();
+    let mut given_up = Vec::new();
+    let mut tried: BTreeMap<usize, Tried> = BTreeMap::new();
+    for _ in 0..MOST_ROUNDS {
+        let positions = motion.positions()?.to_vec();
+        let mut missing = Missing { frames: vec![Vec::new(); times.len()] };
+        for (frame, q) in positions.iter().enumerate() {
+            for (pair, distance) in clearance.nearer(q, MOST_APART).map_err(text)? {
+                let wanted = motion.wanted(frame, clearance.moved_by(pair));
+                if distance < wanted {
+                    let otherwise = motion.otherwise(frame);
+                    let own = otherwise.map(|q| clearance.distance(&q, pair)).transpose().map_err(text)?;
+                    let wanted = own.map_or(wanted, |own| wanted.min(own));
+                    if distance < wanted {
+                        missing.frames[frame].push((pair, wanted - distance));
+                    }
+                }
+            }
+        }
+        let Some((frame, pair, by)) = missing.worst(&given_up) else { break };
+        let known = tried.entry(pair).or_insert(Tried { count: 0, least: f64::INFINITY, since: 0 });
+        known.count += 1;
+        known.since += 1;
+        if by < 0.8 * known.least {
+            (known.least, known.since) = (by, 0);
+        }
+        let slopes = clearance.slopes(&positions[frame], pair).map_err(text)?;
+        let dofs = clearance.moved_by(pair);
+        let nudge = missing.nudge(times, frame, pair, motion.span(frame, dofs));
+        let is_hopeless = known.since > 4 || known.count > MOST_OF_PAIR;
+        if is_hopeless || !motion.nudge(frame, &slopes, by + MORE, nudge)? {
+            motion.take_back(pair);
+            given_up.push(pair);
+        }
+    }
+    let positions = motion.positions()?;
+    let of_pair = |pair: usize| {
+        let links = clearance.pairs().nth(pair).unwrap_or_default();
+        let mut cuts = Cuts { links, distance: f64::INFINITY, time: 0.0 };
+        for (q, time) in positions.iter().zip(times) {
+            let distance = clearance.distance(q, pair).map_err(text)?;
+            if distance < cuts.distance {
+                (cuts.distance, cuts.time) = (distance, *time);
+            }
+        }
+        Ok(cuts)
+    };
+    given_up.into_iter().map(of_pair).collect()
+}
+
+/// What is too near, by frame: which pair, and how much is missing (m).
+struct Missing {
+    frames: Vec<Vec<(usize, f64)>>,
+}
+
+impl Missing {
+    fn worst(&self, but: &[usize]) -> Option<(usize, usize, f64)> {
+        let frames = self.frames.iter().enumerate();
+        let all = frames.flat_map(|(frame, pairs)| pairs.iter().map(move |(pair, by)| (frame, *pair, *by)));
+        all.filter(|(_, pair, _)| !but.contains(pair)).max_by(|a, b| a.2.total_cmp(&b.2))
+    }
+
+    /// What is to be added about a frame, as long as the pair is too near, within a span.
+    fn nudge(&self, times: &[f64], frame: usize, pair: usize, (from, until): (Option<f64>, f64)) -> Nudge {
+        let is_near = |frame: &usize| self.frames[*frame].iter().any(|(other, ..)| *other == pair);
+        let first = (0..=frame).rev().take_while(is_near).last().unwrap_or(frame);
+        let last = (frame..times.len()).take_while(is_near).last().unwrap_or(frame);
+        let rises = times[first] - COMES_IN;
+        let rises = from.map_or(rises, |from| rises.max(from));
+        // What comes to rest so near stays where it is then.
+        let stays = last + 1 >= times.len() || times[last] + COMES_IN > until;
+        let falls = if stays { f64::INFINITY } else { times[last] };
+        // Where there is not time enough, half of what there is.
+        let full = times[first].max(rises + 0.5 * (times[frame] - rises).min(COMES_IN));
+        Nudge { pair, rises, full, falls, by: Vec::new() }
+    }
+}
+
+/// The way along slopes that has been freed of what it must not change, so that the distance grows by so much (m), and nothing of it is more
+/// than a stride; none where nothing is left of it.
+pub(super) fn way(slopes: &[f64], mut free: Vec<f64>, by: f64) -> Option<Vec<f64>> {
+    let gain: f64 = slopes.iter().zip(&free).map(|(slope, way)| slope * way).sum();
+    let square: f64 = slopes.iter().map(|slope| slope * slope).sum();
+    if gain <= 1e-6 * square || square <= 0.0 {
+        return None;
+    }
+    let longest = free.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
+    let scale = (by / gain).min(STRIDE / longest);
+    free.iter_mut().for_each(|way| *way *= scale);
+    Some(free)
+}
