@@ -264,17 +264,12 @@ impl Reach {
     /// As for [`pose`](Self::pose).
     pub fn spare(&mut self, q: &[f64], target: &Goal, way: &mut [f64]) -> Result<(), ReachError> {
         self.columns(q, target)?;
-        let jacobian = &mut self.room.jacobian;
         // At a limit it stays, and the others do without it.
         for _ in 0..=self.unknowns.len() {
-            let square: Matrix3<f64> = (&*jacobian * jacobian.transpose()).fixed_view::<3, 3>(0, 0).into();
-            let damped = square + Matrix3::identity() * (SPARE * square.trace());
-            let own = Vector3::from_fn(|i, _| jacobian.row(i).iter().zip(&*way).map(|(j, w)| j * w).sum());
-            if let Some(inverse) = damped.try_inverse() {
-                let taken = inverse * own;
-                for (i, way) in way.iter_mut().enumerate() {
-                    *way -= taken.dot(&jacobian.fixed_view::<3, 1>(0, i));
-                }
+            let taken = self.taken_by(way);
+            let jacobian = &mut self.room.jacobian;
+            for (i, way) in way.iter_mut().enumerate() {
+                *way -= taken.dot(&jacobian.fixed_view::<3, 1>(0, i));
             }
             let mut stuck = false;
             for (i, (unknown, way)) in self.unknowns.iter().zip(way.iter_mut()).enumerate() {
@@ -290,6 +285,35 @@ impl Reach {
             }
         }
         Ok(())
+    }
+
+    /// How a number, which changes by `slopes` with the degrees of freedom that it [moves](Self::moves), changes where what is missing to the
+    /// goal is taken away by the least change of these: along world axes, for each m of a place.
+    ///
+    /// ```text
+    /// (J·Jᵀ)⁻¹·J·g
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`pose`](Self::pose).
+    pub fn along_goal(
+        &mut self,
+        q: &[f64],
+        target: &Goal,
+        slopes: &[f64],
+    ) -> Result<Vector3<f64>, ReachError> {
+        self.columns(q, target)?;
+        Ok(self.taken_by(slopes))
+    }
+
+    /// `(J·Jᵀ)⁻¹·J·w`
+    fn taken_by(&self, way: &[f64]) -> Vector3<f64> {
+        let jacobian = &self.room.jacobian;
+        let square: Matrix3<f64> = (jacobian * jacobian.transpose()).fixed_view::<3, 3>(0, 0).into();
+        let damped = square + Matrix3::identity() * (SPARE * square.trace());
+        let own = Vector3::from_fn(|i, _| jacobian.row(i).iter().zip(way).map(|(j, w)| j * w).sum());
+        damped.try_inverse().map_or_else(Vector3::zeros, |inverse| inverse * own)
     }
 
     /// Steps that lower the distance, until none does.

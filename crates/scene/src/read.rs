@@ -197,7 +197,7 @@ impl SceneReader<'_> {
         let terrain = self.terrain(&fields);
         let walk = self.walk(&fields, name.as_deref().zip(figure.as_ref()), &given, terrain.as_ref());
         self.start(&fields, &given, walk.as_ref());
-        self.clip(&fields, &mut given);
+        let clipped = self.clip(&fields, &mut given);
         self.springs(&fields);
         self.loops(&fields);
         let open = self.place_ties();
@@ -211,6 +211,7 @@ impl SceneReader<'_> {
         said.extend(left_out);
         said.extend(open);
         said.extend(notes);
+        said.extend(clipped);
         let settings = self.settings(&fields, walked);
         if let Some(settings) = &settings {
             self.check(&fields, settings);

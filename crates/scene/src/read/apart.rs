@@ -1,6 +1,7 @@
 //! Motions that keep links apart: the least that is needed is added to them, for as long as it is needed.
 
 use super::SceneReader;
+use nalgebra::Vector3;
 use solaris_analysis::{Clearance, NearnessError};
 use solaris_model::text::Fields;
 use std::collections::BTreeMap;
@@ -13,11 +14,17 @@ pub(super) const MOST_APART: f64 = 0.2;
 const MORE: f64 = 5e-4;
 /// In what time it comes and goes (s).
 const COMES_IN: f64 = 0.3;
+/// The least time (s) in which anything comes or goes.
+const LEAST: f64 = 0.01;
 /// What is added in one round, at most (rad or m).
 const STRIDE: f64 = 0.15;
-/// How often something is added because of the same pair of links, and for all of them together.
+/// What is deeper than this (m) in each other is first tried to be turned about its way, by so much (rad or m).
+const DEEP: f64 = 0.02;
+const TURNS: [f64; 8] = [0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.8, -1.8];
+/// How often something is added because of the same pair of links, how often without much of a gain, and for all of them together.
 const MOST_OF_PAIR: usize = 24;
-const MOST_ROUNDS: usize = 150;
+const MOST_IN_VAIN: usize = 4;
+const MOST_ROUNDS: usize = 80;
 
 impl SceneReader<'_> {
     /// How far apart links are to be kept (m), a field `clearance`.
@@ -43,8 +50,7 @@ impl SceneReader<'_> {
                 1e3 * distance.abs(),
             );
             format!(
-                "'{}' and '{}' {near} {mm:.1} mm, at {time:.2} s: nothing that moves them is free to keep them apart; name more joints in \
-                 'by', or ask for another way",
+                "'{}' and '{}' {near} {mm:.1} mm, at {time:.2} s: nothing that moves them is free to keep them apart",
                 name(*a),
                 name(*b)
             )
@@ -53,27 +59,47 @@ impl SceneReader<'_> {
     }
 }
 
-/// Something that is added to coordinates for a time, all of it from `full` until `falls`, with the least jerk before and after.
+/// Something that is added for a time, all of it from `full` until `falls`, with the least jerk before and after.
 #[derive(Clone, Debug)]
 pub(super) struct Nudge {
-    /// Because of which pair of links.
-    pub(super) pair: usize,
     rises: f64,
     full: f64,
     falls: f64,
-    /// By coordinate, in the order of who adds it (rad, m).
+    gone: f64,
+    /// To coordinates, in the order of who adds it (rad, m).
     pub(super) by: Vec<f64>,
+    /// To the place of a point (m), where its way is free.
+    pub(super) detour: Vector3<f64>,
 }
 
 impl Nudge {
     /// How much of it there is at a time (s), with its derivatives: 0 to 1.
     pub(super) fn at(&self, time: f64) -> [f64; 3] {
-        let over = self.full - self.rises;
-        if time < self.full && over > 0.0 {
+        if time < self.full {
+            let over = self.full - self.rises;
             return share((time - self.rises) / over, over);
         }
-        let [gone, rate, change] = share((time - self.falls) / COMES_IN, COMES_IN);
+        if time <= self.falls {
+            return [1.0, 0.0, 0.0];
+        }
+        let over = self.gone - self.falls;
+        let [gone, rate, change] = share((time - self.falls) / over, over);
         [1.0 - gone, -rate, -change]
+    }
+
+    /// A detour of a point within the time (s) that it is on its way; none where there is no time.
+    pub(super) fn detour([from, until]: [f64; 2], along: Vector3<f64>, own: &Self) -> Option<Self> {
+        let (rises, full) = (own.rises.max(from), own.full);
+        let falls = own.falls.min(0.5 * (full + until));
+        let gone = (falls + COMES_IN).min(until);
+        (full - rises > LEAST && gone - falls > LEAST).then_some(Self {
+            rises,
+            full,
+            falls,
+            gone,
+            by: Vec::new(),
+            detour: along,
+        })
     }
 }
 
@@ -95,6 +121,9 @@ pub(super) trait Nudged {
     /// The positions of the whole figure at each of the times, with what was added.
     fn positions(&mut self) -> Result<&[Vec<f64>], String>;
 
+    /// How far apart any links are to be at any time, at most (m).
+    fn widest(&self) -> f64;
+
     /// How far apart a pair of links is to be at a time (m): nothing where the motion does not move it then.
     fn wanted(&self, frame: usize, dofs: &[usize]) -> f64;
 
@@ -104,13 +133,26 @@ pub(super) trait Nudged {
     /// From when to when (s) something may be added about a time; before the first it must be nothing, unless that is `None`.
     fn span(&self, frame: usize, dofs: &[usize]) -> (Option<f64>, f64);
 
-    /// Adds a way that takes two links `by` (m) farther apart at a frame, where their distance changes by `slopes` with degrees of freedom;
-    /// whether there is any.
-    fn nudge(&mut self, frame: usize, slopes: &[(usize, f64)], by: f64, nudge: Nudge)
-    -> Result<bool, String>;
+    /// Adds a way that takes two links `by` (m) farther apart at a frame, where their distance changes by `slopes` with degrees of freedom,
+    /// beside what is asked or, with `detour`, by another way to it; whether there is any.
+    fn nudge(
+        &mut self,
+        frame: usize,
+        slopes: &[(usize, f64)],
+        by: f64,
+        nudge: Nudge,
+        detour: bool,
+    ) -> Result<bool, String>;
 
-    /// Takes back what was added because of a pair.
-    fn take_back(&mut self, pair: usize);
+    /// Adds a way of this size (rad, m) beside what is asked, of the limb that moves a pair; whether there is any.
+    fn turn(&mut self, frame: usize, dofs: &[usize], by: f64, nudge: Nudge) -> Result<bool, String>;
+
+    /// Whether points are where they would be without what was added, and nothing leaps.
+    fn is_sound(&mut self) -> Result<bool, String>;
+
+    /// All that was added, and in place of it what was added at another time.
+    fn added(&self) -> Vec<Vec<Nudge>>;
+    fn put_back(&mut self, added: Vec<Vec<Nudge>>);
 }
 
 /// A pair that could not be kept apart.
@@ -121,14 +163,21 @@ pub(super) struct Cuts {
     pub(super) time: f64,
 }
 
-/// What has been tried for a pair: how often, and the least that was missing.
+/// What has been tried for a pair: how often, the least that was missing and for how many rounds; and whether by a detour.
+#[derive(Clone, Copy)]
 struct Tried {
     count: usize,
     least: f64,
     since: usize,
+    detour: bool,
+    turned: bool,
 }
 
-/// Keeps links apart in a motion, by as little as is needed; what cannot be kept apart stays as it was.
+impl Tried {
+    const NOTHING: Self = Self { count: 0, least: f64::INFINITY, since: 0, detour: false, turned: false };
+}
+
+/// Keeps links apart in a motion, by as little as is needed; of what cannot be kept apart, what was best.
 ///
 /// In each round the pair that misses most is taken farther apart where it does, along the slope of its distance as far as that is free,
 ///
@@ -136,61 +185,86 @@ struct Tried {
 /// δ = P·W·g·(d* − d)/(gᵀ·P·W·g)
 /// ```
 ///
-/// and what is added comes and goes within 0.3 s about the time in which the pair is too near. Links that would be nearer without the motion
-/// need not be farther apart with it.
+/// and what is added comes and goes within 0.3 s about the time in which the pair is too near. Of what is deep in each other the slopes tell
+/// little: it is turned about its way first, as an elbow is about the line from the shoulder to the hand, as far as is best of some. Where
+/// nothing is free, a point that is on its way takes another one. Links that would be nearer without the motion need not be farther apart with it.
 pub(super) fn keep(
     clearance: &mut Clearance,
     times: &[f64],
     motion: &mut impl Nudged,
 ) -> Result<Vec<Cuts>, String> {
     let text = |error: NearnessError| error.to_string();
+    let widest = motion.widest();
+    if widest <= 0.0 || clearance.pairs().len() == 0 {
+        return motion.positions().map(|_| Vec::new());
+    }
     let mut given_up = Vec::new();
     let mut tried: BTreeMap<usize, Tried> = BTreeMap::new();
+    let mut best = (f64::INFINITY, motion.added());
     for _ in 0..MOST_ROUNDS {
-        let positions = motion.positions()?.to_vec();
-        let mut missing = Missing { frames: vec![Vec::new(); times.len()] };
-        for (frame, q) in positions.iter().enumerate() {
-            for (pair, distance) in clearance.nearer(q, MOST_APART).map_err(text)? {
-                let wanted = motion.wanted(frame, clearance.moved_by(pair));
-                if distance < wanted {
-                    let otherwise = motion.otherwise(frame);
-                    let own = otherwise.map(|q| clearance.distance(&q, pair)).transpose().map_err(text)?;
-                    let wanted = own.map_or(wanted, |own| wanted.min(own));
-                    if distance < wanted {
-                        missing.frames[frame].push((pair, wanted - distance));
-                    }
-                }
-            }
+        let missing = Missing::of(clearance, motion, times.len())?;
+        let cost = missing.cost();
+        if cost < best.0 && motion.is_sound()? {
+            best = (cost, motion.added());
         }
         let Some((frame, pair, by)) = missing.worst(&given_up) else { break };
-        let known = tried.entry(pair).or_insert(Tried { count: 0, least: f64::INFINITY, since: 0 });
+        let known = tried.entry(pair).or_insert(Tried::NOTHING);
         known.count += 1;
         known.since += 1;
         if by < 0.8 * known.least {
             (known.least, known.since) = (by, 0);
         }
-        let slopes = clearance.slopes(&positions[frame], pair).map_err(text)?;
-        let dofs = clearance.moved_by(pair);
-        let nudge = missing.nudge(times, frame, pair, motion.span(frame, dofs));
-        let is_hopeless = known.since > 4 || known.count > MOST_OF_PAIR;
-        if is_hopeless || !motion.nudge(frame, &slopes, by + MORE, nudge)? {
-            motion.take_back(pair);
-            given_up.push(pair);
-        }
-    }
-    let positions = motion.positions()?;
-    let of_pair = |pair: usize| {
-        let links = clearance.pairs().nth(pair).unwrap_or_default();
-        let mut cuts = Cuts { links, distance: f64::INFINITY, time: 0.0 };
-        for (q, time) in positions.iter().zip(times) {
-            let distance = clearance.distance(q, pair).map_err(text)?;
-            if distance < cuts.distance {
-                (cuts.distance, cuts.time) = (distance, *time);
+        let span = motion.span(frame, clearance.moved_by(pair));
+        let nudge = missing.nudge(times, frame, pair, span);
+        if by > DEEP && !known.turned {
+            // Slopes tell little of what is deep in each other: the limb is turned about its way, as far as is best.
+            known.turned = true;
+            let added = motion.added();
+            let mut least = (cost, None);
+            for turn in TURNS {
+                if motion.turn(frame, clearance.moved_by(pair), turn, nudge.clone())? && motion.is_sound()? {
+                    let cost = Missing::of(clearance, motion, times.len())?.cost();
+                    if cost < least.0 {
+                        least = (cost, Some(motion.added()));
+                    }
+                }
+                motion.put_back(added.clone());
+            }
+            if let Some(turned) = least.1 {
+                motion.put_back(turned);
+                continue;
             }
         }
-        Ok(cuts)
-    };
-    given_up.into_iter().map(of_pair).collect()
+        let slopes = clearance.slopes(&motion.positions()?[frame], pair).map_err(text)?;
+        let goes_on = known.since <= MOST_IN_VAIN && known.count <= MOST_OF_PAIR;
+        if goes_on && motion.nudge(frame, &slopes, by + MORE, nudge, known.detour)? {
+            continue;
+        }
+        if known.detour {
+            given_up.push(pair);
+        } else {
+            *known = Tried { detour: true, turned: true, ..Tried::NOTHING };
+        }
+    }
+    if !tried.is_empty() {
+        motion.put_back(best.1);
+    }
+    given_up.sort_unstable();
+    let positions = motion.positions()?.to_vec();
+    let mut cuts = Vec::new();
+    for pair in given_up {
+        let links = clearance.pairs().nth(pair).unwrap_or_default();
+        let mut worst: Option<Cuts> = None;
+        for (frame, (q, time)) in positions.iter().zip(times).enumerate() {
+            let distance = clearance.distance(q, pair).map_err(text)?;
+            let is_near = distance < motion.wanted(frame, clearance.moved_by(pair));
+            if is_near && worst.as_ref().is_none_or(|worst| distance < worst.distance) {
+                worst = Some(Cuts { links, distance, time: *time });
+            }
+        }
+        cuts.extend(worst);
+    }
+    Ok(cuts)
 }
 
 /// What is too near, by frame: which pair, and how much is missing (m).
@@ -199,6 +273,37 @@ struct Missing {
 }
 
 impl Missing {
+    /// What is too near in a motion of so many frames.
+    fn of(clearance: &mut Clearance, motion: &mut impl Nudged, count: usize) -> Result<Self, String> {
+        let text = |error: NearnessError| error.to_string();
+        let widest = motion.widest();
+        let mut frames = vec![Vec::new(); count];
+        for (frame, missing) in frames.iter_mut().enumerate() {
+            for (pair, distance) in clearance.nearer(&motion.positions()?[frame], widest).map_err(text)? {
+                let wanted = motion.wanted(frame, clearance.moved_by(pair));
+                if distance < wanted {
+                    let otherwise = motion.otherwise(frame);
+                    let own = otherwise.map(|q| clearance.distance(&q, pair)).transpose().map_err(text)?;
+                    let wanted = own.map_or(wanted, |own| wanted.min(own));
+                    if distance < wanted {
+                        missing.push((pair, wanted - distance));
+                    }
+                }
+            }
+        }
+        Ok(Self { frames })
+    }
+
+    /// The squares of what is missing at most of each pair (m²).
+    fn cost(&self) -> f64 {
+        let mut most: BTreeMap<usize, f64> = BTreeMap::new();
+        for (pair, by) in self.frames.iter().flatten() {
+            let most = most.entry(*pair).or_default();
+            *most = most.max(*by);
+        }
+        most.values().map(|most| most * most).sum()
+    }
+
     fn worst(&self, but: &[usize]) -> Option<(usize, usize, f64)> {
         let frames = self.frames.iter().enumerate();
         let all = frames.flat_map(|(frame, pairs)| pairs.iter().map(move |(pair, by)| (frame, *pair, *by)));
@@ -210,14 +315,13 @@ impl Missing {
         let is_near = |frame: &usize| self.frames[*frame].iter().any(|(other, ..)| *other == pair);
         let first = (0..=frame).rev().take_while(is_near).last().unwrap_or(frame);
         let last = (frame..times.len()).take_while(is_near).last().unwrap_or(frame);
-        let rises = times[first] - COMES_IN;
-        let rises = from.map_or(rises, |from| rises.max(from));
+        let rises = from.map_or(times[first] - COMES_IN, |from| from.max(times[first] - COMES_IN));
+        // Where there is not time enough, half of what there is.
+        let full = times[first].max(rises + 0.5 * (times[frame] - rises).min(COMES_IN));
         // What comes to rest so near stays where it is then.
         let stays = last + 1 >= times.len() || times[last] + COMES_IN > until;
         let falls = if stays { f64::INFINITY } else { times[last] };
-        // Where there is not time enough, half of what there is.
-        let full = times[first].max(rises + 0.5 * (times[frame] - rises).min(COMES_IN));
-        Nudge { pair, rises, full, falls, by: Vec::new() }
+        Nudge { rises, full, falls, gone: falls + COMES_IN, by: Vec::new(), detour: Vector3::zeros() }
     }
 }
 

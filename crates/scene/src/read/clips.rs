@@ -1,23 +1,31 @@
 //! Clips: parts of motions in files, which joints follow.
 
-use super::SceneReader;
+mod kept;
+
+use super::apart::Cuts;
 use super::drives::Given;
-use solaris_analysis::differentiate;
+use super::{SceneReader, apart};
+use kept::Kept;
+use solaris_analysis::{Clearance, differentiate};
 use solaris_model::text::{Fields, Node};
 use solaris_model::{Figure, Motion, MotionInfo};
 use solaris_modes::{Drive, EndCondition, RecordedMotion, Step};
 use solaris_profiles::{Curve, Quintic};
 use std::sync::Arc;
 
-const FIELDS: [&str; 6] = ["file", "from", "to", "at", "blend", "dofs"];
+const FIELDS: [&str; 7] = ["file", "from", "to", "at", "blend", "dofs", "clearance"];
 
 impl SceneReader<'_> {
-    /// Lets what has no drive of its own, and has a coordinate, follow a part of a motion in a file.
-    pub(super) fn clip(&mut self, fields: &Fields<'_, '_>, given: &mut Given) {
-        let Some(node) = fields.get("clip") else { return };
+    /// Lets what has no drive of its own, and has a coordinate, follow a part of a motion in a file; what there is to say of it.
+    pub(super) fn clip(&mut self, fields: &Fields<'_, '_>, given: &mut Given) -> Vec<String> {
+        self.clipped_to(fields, given).unwrap_or_default()
+    }
+
+    fn clipped_to(&mut self, fields: &Fields<'_, '_>, given: &mut Given) -> Option<Vec<String>> {
+        let node = fields.get("clip")?;
         let before = self.reader.count();
         let known = self.reader.fields(node, &["Clip"], &FIELDS);
-        let Some(clip) = known else { return };
+        let clip = known?;
         if fields.get("walk").is_some() {
             let message = "a walk moves all that has no drive, and so does a clip; leave one of them out";
             self.reader.fault(node.place(), message);
@@ -44,32 +52,39 @@ impl SceneReader<'_> {
             node.map_or(Some(default), |node| self.reader.number(node, field))
         };
         let (from, to) = (end("from", f64::NEG_INFINITY), end("to", f64::INFINITY));
+        let clearance = self.apart(&clip, 0.0);
         let dofs = self.clipped(&clip, given);
-        let Some(figure) = self.figure().cloned() else { return };
+        let figure = self.figure().cloned()?;
         let gravity = self.simulation.as_ref().map(|simulation| *simulation.gravity()).unwrap_or_default();
-        let (Some((file, path)), Some(at), Some(blend), Some(from), Some(to)) = (path, at, blend, from, to)
-        else {
-            return;
-        };
+        let ((file, path), at, blend, from, to) = (path?, at?, blend?, from?, to?);
+        let clearance = clearance?;
         let motion = self.loader.motion(path, &figure, &gravity);
         let motion = motion
             .and_then(|motion| differentiate(&figure, &motion, None).map_err(|error| error.to_string()));
         let motion = match motion {
             Ok(found) => found.motion,
-            Err(why) => return self.reader.fault(file.span.clone(), format!("'{path}': {why}")),
+            Err(why) => {
+                self.reader.fault(file.span.clone(), format!("'{path}': {why}"));
+                return None;
+            }
         };
-        if self.reader.count() > before {
-            return;
+        if self.reader.count() > before || self.reader.is_asked() {
+            return None;
         }
         let part = Part { from, to, at, blend };
         let start =
             self.simulation.as_ref().map(|simulation| simulation.state().0.to_vec()).unwrap_or_default();
-        let recorded = part
-            .of(&figure, &motion, &start, &dofs)
-            .and_then(|motion| RecordedMotion::new(motion).map_err(|error| error.to_string()));
-        let recorded = match recorded {
-            Ok(recorded) => Arc::new(recorded),
-            Err(why) => return self.reader.fault(node.place(), format!("'{path}': {why}")),
+        let begins = (at > 0.0 || blend > 0.0).then_some(at);
+        let found = part.of(&figure, &motion, &start, &dofs).and_then(|motion| {
+            let (motion, cuts) = kept_apart(&figure, motion, &dofs, clearance, begins)?;
+            Ok((RecordedMotion::new(motion).map_err(|error| error.to_string())?, cuts))
+        });
+        let (recorded, cuts) = match found {
+            Ok((recorded, cuts)) => (Arc::new(recorded), cuts),
+            Err(why) => {
+                self.reader.fault(node.place(), format!("'{path}': {why}"));
+                return None;
+            }
         };
         if at <= 0.0 && blend <= 0.0 {
             self.begin_as(node, &recorded, &dofs);
@@ -87,6 +102,7 @@ impl SceneReader<'_> {
             }
             given.insert(dof, steps);
         }
+        Some(self.cuts(&cuts))
     }
 
     /// What follows the clip from the beginning on begins as it does.
@@ -126,6 +142,24 @@ impl SceneReader<'_> {
         dofs.dedup();
         dofs
     }
+}
+
+/// The same motion with links that far apart (m), where that is more than nothing; and which are not.
+fn kept_apart(
+    figure: &Figure,
+    motion: Motion,
+    dofs: &[usize],
+    clearance: f64,
+    begins: Option<f64>,
+) -> Result<(Motion, Vec<Cuts>), String> {
+    if clearance <= 0.0 {
+        return Ok((motion, Vec::new()));
+    }
+    let mut measure = Clearance::new(figure, dofs, &[]).map_err(|error| error.to_string())?;
+    let mut kept = Kept::new(figure, &motion, dofs, clearance, begins)?;
+    let cuts = apart::keep(&mut measure, motion.time(), &mut kept)?;
+    let found = kept.finish().transpose()?;
+    Ok((found.unwrap_or(motion), cuts))
 }
 
 /// Which part of a motion, and when.

@@ -44,7 +44,8 @@ impl SceneReader<'_> {
         let (Some(duration), Some(simulation)) = (self.lasts.or(walked), self.simulation.clone()) else {
             return Default::default();
         };
-        if self.reader.count() > before || asked.is_empty() {
+        // To find it takes a while, and who asks what may stand somewhere does not care.
+        if self.reader.count() > before || asked.is_empty() || self.reader.is_asked() {
             return Default::default();
         }
         let found = self.found(&asked, &simulation, &known, duration, node);

@@ -1,5 +1,6 @@
 //! Scenes as texts: what they come to, and what is refused and how.
 
+mod apart;
 mod completion;
 mod faults;
 mod faults_words;

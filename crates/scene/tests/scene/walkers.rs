@@ -260,7 +260,7 @@ fn a_pattern_lets_a_crowd_walk() {
 /// Who walks into somebody who falls would be lifted for a frame: the run is there, and says what is not.
 #[test]
 fn whom_a_blow_would_lift_is_noted() {
-    let told = run("Scene(version: 1, figures: {\"a\": Human(height: 1.7, mass: 60), \"b\": Human(height: 1.5, mass: 50, joints: Limp)},
+    let told = run("Scene(version: 1, figures: {\"a\": Human(height: 1.7, mass: 60), \"b\": Human(height: 1.5, mass: 110, joints: Limp)},
         walk: {\"a\": Walk(steps: 4)}, duration: 1.8, places: {\"b\": (at: (0.1, 0, 1.2))}, start: {\"b.root\": (at: (0, 0.95, 0))},
         ground: Flat(friction: 0.8, contact: Rigid), collisions: Collisions(friction: 0.5))");
     let notes: Vec<String> = told.report.remarks.iter().map(ToString::to_string).collect();

@@ -67,6 +67,11 @@ impl What {
         }
     }
 
+    /// Whether a point is to be somewhere, which has a way to it.
+    pub(super) fn is_of_a_place(&self) -> bool {
+        matches!(self, Self::Reach(_) | Self::Along(_))
+    }
+
     /// What is done, and the unit of what may be missing, with how many of it are one m or rad.
     pub(super) fn verb(&self) -> (&'static str, &'static str, f64) {
         match self {

@@ -4,9 +4,12 @@ use super::asked::{Asked, Spot, What};
 use super::way::{Way, share};
 use crate::read::apart::{Nudge, way};
 use nalgebra::{Rotation3, Unit, UnitQuaternion, Vector3};
-use solaris_analysis::{Goal, Reach};
+use solaris_analysis::{Goal, Reach, ReachError};
 use solaris_dynamics::{Pose, Tree, Workspace, forward_kinematics};
 use std::collections::HashMap;
+
+/// The farthest that a point is led from its way (m), so that links do not cut each other.
+const MOST_DETOUR: f64 = 0.3;
 
 /// Places all links of a figure in a configuration.
 pub(super) struct Placed {
@@ -40,7 +43,7 @@ pub(super) struct Layer<'a> {
     begun: Option<Begun>,
     solved: Option<Solved>,
     /// What keeps links apart.
-    nudges: Vec<Nudge>,
+    pub(super) nudges: Vec<Nudge>,
     /// What is to be, by time of the run (the bits of s).
     goals: HashMap<u64, Goal>,
     /// The farthest that it is off (m or rad), and when (s).
@@ -83,28 +86,77 @@ impl<'a> Layer<'a> {
     }
 
     /// Adds a way that takes two links `by` (m) farther apart at a time, where the whole figure is at `q` and their distance changes by
-    /// `slopes` with degrees of freedom, and which changes nothing of what is asked; whether there is any.
+    /// `slopes` with degrees of freedom: one that changes nothing of what is asked, or a `detour` of a point that is on its way; whether
+    /// there is any.
     pub(super) fn nudge(
         &mut self,
         (q, time): (&[f64], f64),
         slopes: &[(usize, f64)],
         by: f64,
         mut nudge: Nudge,
+        detour: bool,
     ) -> Result<bool, String> {
         let Some(goal) = self.goals.get(&time.to_bits()).copied() else { return Ok(false) };
         let slope = |dof: usize| slopes.iter().find(|(own, _)| *own == dof).map_or(0.0, |(_, slope)| *slope);
         let own: Vec<f64> = self.moves().map(|(dof, ..)| slope(dof)).collect();
-        let mut free = own.clone();
-        self.solver.spare(q, &goal, &mut free).map_err(|error| error.to_string())?;
-        let Some(by) = way(&own, free, by / self.share_at(time)) else { return Ok(false) };
-        nudge.by = by;
+        let by = by / self.share_at(time);
+        let text = |error: ReachError| error.to_string();
+        if detour {
+            if !self.asked.what.is_of_a_place() {
+                return Ok(false);
+            }
+            let along = self.solver.along_goal(q, &goal, &own).map_err(text)?;
+            let Some(way) = way(along.as_slice(), along.as_slice().to_vec(), by) else { return Ok(false) };
+            if self.detour(time).norm() > MOST_DETOUR {
+                return Ok(false);
+            }
+            let on_the_way = [self.asked.from, self.asked.from + self.asked.over];
+            let Some(found) = Nudge::detour(on_the_way, Vector3::from_column_slice(&way), &nudge) else {
+                return Ok(false);
+            };
+            nudge = found;
+        } else {
+            let mut free = own.clone();
+            self.solver.spare(q, &goal, &mut free).map_err(text)?;
+            let Some(by) = way(&own, free, by) else { return Ok(false) };
+            nudge.by = by;
+        }
         self.nudges.push(nudge);
         Ok(true)
     }
 
-    /// Takes back what was added because of a pair of links.
-    pub(super) fn take_back(&mut self, pair: usize) {
-        self.nudges.retain(|nudge| nudge.pair != pair);
+    /// Adds a way of this size (rad, m) that changes nothing of what is asked at a time, where the whole figure is at `q`: of all of them that
+    /// which moves one joint most; whether there is any.
+    pub(super) fn turn(
+        &mut self,
+        (q, time): (&[f64], f64),
+        by: f64,
+        mut nudge: Nudge,
+    ) -> Result<bool, String> {
+        let Some(goal) = self.goals.get(&time.to_bits()).copied() else { return Ok(false) };
+        let mut best = (0.0, Vec::new());
+        for i in 0..self.coordinates.len() {
+            let mut way = vec![0.0; self.coordinates.len()];
+            way[i] = 1.0;
+            self.solver.spare(q, &goal, &mut way).map_err(|error| error.to_string())?;
+            let size = way.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if size > best.0 {
+                best = (size, way);
+            }
+        }
+        let (size, mut way) = best;
+        if size < 0.1 {
+            return Ok(false);
+        }
+        way.iter_mut().for_each(|way| *way *= by / size);
+        nudge.by = way;
+        self.nudges.push(nudge);
+        Ok(true)
+    }
+
+    /// How far the point is led from its way at a time (m).
+    fn detour(&self, time: f64) -> Vector3<f64> {
+        self.nudges.iter().map(|nudge| nudge.detour * nudge.at(time)[0]).sum()
     }
 
     /// What is added to the positions of its joints at a time (s).
@@ -191,6 +243,7 @@ impl<'a> Layer<'a> {
             };
             self.begun = Some(Begun { place: eye, way, turned });
         }
+        let detour = self.detour(time);
         let begun = self.begun.as_ref().ok_or("nothing has begun")?;
         let since = time - asked.from;
         let s = if asked.over > 0.0 { share(since / asked.over) } else { 1.0 };
@@ -199,11 +252,11 @@ impl<'a> Layer<'a> {
             Spot::Of(link, point) => links.pose(*link).transform(point),
         };
         Ok(match &asked.what {
-            What::Reach(to) => Goal::Place(eye + (spot(to) - eye) * s),
+            What::Reach(to) => Goal::Place(eye + (spot(to) - eye) * s + detour),
             What::Along(keys) => {
                 let first = keys.first().map_or(asked.over, |(time, _)| *time);
                 let way = begun.way.as_ref().map_or(eye, |way| way.at(since));
-                Goal::Place(way + (eye - begun.place) * (1.0 - share(since / first)))
+                Goal::Place(way + (eye - begun.place) * (1.0 - share(since / first)) + detour)
             }
             What::Look(axis, to) => {
                 let way = spot(to) - eye;

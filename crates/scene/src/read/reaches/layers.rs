@@ -3,7 +3,11 @@
 use super::beforehand::Beforehand;
 use super::layer::{Layer, Placed};
 use crate::read::apart::{Nudge, Nudged};
+use solaris_analysis::REACHED;
 use solaris_model::Figure;
+
+/// The acceleration (rad/s²) that keeping links apart may take of a joint, besides four times what it has without.
+const SMOOTH: f64 = 300.0;
 
 /// The positions of a figure at some times, with all that is asked of it.
 pub(super) struct Layers<'a> {
@@ -14,6 +18,8 @@ pub(super) struct Layers<'a> {
     placed: Placed,
     /// Nothing, where they are to be found anew.
     positions: Vec<Vec<f64>>,
+    /// Of the motion without what is added, how far points are off (m, rad), and the greatest acceleration.
+    plain: Option<(f64, f64)>,
 }
 
 impl<'a> Layers<'a> {
@@ -24,12 +30,27 @@ impl<'a> Layers<'a> {
         layers: Vec<Layer<'a>>,
         placed: Placed,
     ) -> Self {
-        Self { figure, beforehand, times, layers, placed, positions: Vec::new() }
+        Self { figure, beforehand, times, layers, placed, positions: Vec::new(), plain: None }
     }
 
     /// The positions that were found last, and what found them.
     pub(super) fn finish(self) -> (Vec<Vec<f64>>, Vec<Layer<'a>>) {
         (self.positions, self.layers)
+    }
+
+    /// How far points are off at most (m, rad), and the greatest acceleration that differences of positions tell (rad/s², m/s²).
+    fn roughness(&mut self) -> Result<(f64, f64), String> {
+        self.positions()?;
+        let mut leap = 0.0_f64;
+        for (q, t) in self.positions.windows(3).zip(self.times.windows(3)) {
+            let (before, after) = (t[1] - t[0], t[2] - t[1]);
+            for (x, (a, b)) in q[0].iter().zip(q[1].iter().zip(&q[2])) {
+                let change = ((b - a) / after - (a - x) / before) / (0.5 * (before + after));
+                leap = leap.max(change.abs());
+            }
+        }
+        let off = self.layers.iter().map(|layer| layer.worst.0).fold(0.0, f64::max);
+        Ok((off, leap))
     }
 
     /// What is at work at a frame and moves one of these degrees of freedom.
@@ -57,8 +78,13 @@ impl Nudged for Layers<'_> {
         Ok(&self.positions)
     }
 
+    fn widest(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.asked.clearance).fold(0.0, f64::max)
+    }
+
     fn wanted(&self, frame: usize, dofs: &[usize]) -> f64 {
-        self.at_work(frame, dofs).map(|i| self.layers[i].asked.clearance).fold(0.0, f64::max)
+        let asked = self.at_work(frame, dofs).map(|i| self.layers[i].asked.clearance);
+        asked.filter(|clearance| *clearance > 0.0).fold(f64::NEG_INFINITY, f64::max)
     }
 
     fn otherwise(&self, frame: usize) -> Option<Vec<f64>> {
@@ -77,12 +103,35 @@ impl Nudged for Layers<'_> {
         slopes: &[(usize, f64)],
         by: f64,
         nudge: Nudge,
+        detour: bool,
     ) -> Result<bool, String> {
         let dofs: Vec<usize> = slopes.iter().map(|(dof, _)| *dof).collect();
         let at_work: Vec<usize> = self.at_work(frame, &dofs).collect();
         for i in at_work {
+            for share in [1.0, 0.5, 0.25, 0.125] {
+                self.positions()?;
+                let at = (&*self.positions[frame], self.times[frame]);
+                if !self.layers[i].nudge(at, slopes, share * by, nudge.clone(), detour)? {
+                    break;
+                }
+                self.positions.clear();
+                if self.is_sound()? {
+                    return Ok(true);
+                }
+                // Too far for the limb.
+                self.layers[i].nudges.pop();
+                self.positions.clear();
+            }
+        }
+        Ok(false)
+    }
+
+    fn turn(&mut self, frame: usize, dofs: &[usize], by: f64, nudge: Nudge) -> Result<bool, String> {
+        self.positions()?;
+        let at_work: Vec<usize> = self.at_work(frame, dofs).collect();
+        for i in at_work {
             let at = (&*self.positions[frame], self.times[frame]);
-            if self.layers[i].nudge(at, slopes, by, nudge.clone())? {
+            if self.layers[i].turn(at, by, nudge.clone())? {
                 self.positions.clear();
                 return Ok(true);
             }
@@ -90,8 +139,20 @@ impl Nudged for Layers<'_> {
         Ok(false)
     }
 
-    fn take_back(&mut self, pair: usize) {
-        self.layers.iter_mut().for_each(|layer| layer.take_back(pair));
+    fn is_sound(&mut self) -> Result<bool, String> {
+        let found = self.roughness()?;
+        let (off, leap) = *self.plain.get_or_insert(found);
+        Ok(found.0 <= 1.02 * off + REACHED && found.1 <= 4.0 * leap + SMOOTH)
+    }
+
+    fn added(&self) -> Vec<Vec<Nudge>> {
+        self.layers.iter().map(|layer| layer.nudges.clone()).collect()
+    }
+
+    fn put_back(&mut self, added: Vec<Vec<Nudge>>) {
+        for (layer, nudges) in self.layers.iter_mut().zip(added) {
+            layer.nudges = nudges;
+        }
         self.positions.clear();
     }
 }
