@@ -93,7 +93,7 @@ fn the_film_strips_are_what_the_commands_make() {
 
 #[test]
 fn words_of_scenes_have_pictures() {
-    assert_eq!(made_and_kept("scenes.md", "strips").len(), 23);
+    assert_eq!(made_and_kept("scenes.md", "strips").len(), 35);
     assert_eq!(made_and_kept("benchmarks.md", "strips").len(), 1);
 }
 
