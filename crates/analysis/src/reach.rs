@@ -472,6 +472,56 @@ mod tests {
         assert!((reached.off - (length - 0.2)).abs() < 1e-9, "{reached:?} {length}");
     }
 
+    /// Three rods in a plane and a place in it: one way is free, along which the place does not move, but by squares. What a place takes is
+    /// what the law of forces says, by differences.
+    #[test]
+    fn what_is_spare_moves_nothing_of_the_goal() {
+        let rod = |name: &str, parent: &str, y: f64| {
+            let joint = Joint::new(format!("{name}_joint")).at(Vector3::new(0.0, y, 0.0)).rz();
+            LinkSpec::child(name, parent, joint.limited(-2.0, 2.0)).mass(1.0)
+        };
+        let figure = FigureBuilder::new("arm")
+            .link(LinkSpec::root("one", Joint::new("shoulder").rz()).mass(1.0))
+            .link(rod("two", "one", -0.5))
+            .link(rod("three", "two", -0.4))
+            .build()
+            .expect("valid");
+        let mut reach = Reach::new(&figure, 2, Vector3::new(0.0, -0.3, 0.0), &[0, 1, 2]).expect("an arm");
+        let q = [0.2, 0.5, -0.7];
+        let place = reach.pose(&q).expect("finite").translation;
+        let goal = Goal::Place(place);
+        let mut way = vec![1.0, 0.3, -0.2];
+        reach.spare(&q, &goal, &mut way).expect("finite");
+        assert!(way.iter().map(|x| x * x).sum::<f64>() > 0.1, "{way:?}");
+        let moved = |reach: &mut Reach, h: f64| {
+            let moved: Vec<f64> = q.iter().zip(&way).map(|(x, way)| x + h * way).collect();
+            (reach.pose(&moved).expect("finite").translation - place).norm()
+        };
+        assert!(moved(&mut reach, 1e-3) < 2e-6 && moved(&mut reach, 1e-2) < 2e-4);
+        // Once more takes nothing away.
+        let mut again = way.clone();
+        reach.spare(&q, &goal, &mut again).expect("finite");
+        assert!(again.iter().zip(&way).all(|(a, b)| (a - b).abs() < 1e-9), "{again:?} {way:?}");
+        // At a limit that it would pass a joint stays.
+        let mut stuck = vec![0.0, 1.0, 0.0];
+        reach.spare(&[0.2, 2.0, -0.7], &goal, &mut stuck).expect("finite");
+        assert!(stuck[1] <= 0.0, "{stuck:?}");
+        // Of a number that is the place's own height, the slope along the place is (0, 1, 0).
+        let height = |reach: &mut Reach, q: &[f64]| reach.pose(q).expect("finite").translation.y;
+        let slopes: Vec<f64> = (0..3)
+            .map(|i| {
+                let at = |by: f64| {
+                    let mut q = q;
+                    q[i] += by;
+                    q
+                };
+                (height(&mut reach, &at(1e-6)) - height(&mut reach, &at(-1e-6))) / 2e-6
+            })
+            .collect();
+        let along = reach.along_goal(&q, &goal, &slopes).expect("finite");
+        assert!((along - Vector3::y()).norm() < 1e-7, "{along}");
+    }
+
     /// Two axes, one after the other, turn a link so that it looks as its heading and its pitch say, and not beyond a limit.
     #[test]
     fn it_looks_where_heading_and_pitch_say_and_not_beyond_its_limits() {

@@ -241,6 +241,12 @@ impl SceneReader<'_> {
                 self.awaited.iter().find(|(name, _)| name == link).map(|(_, place)| place.clone())
             }
             SetupError::OpenLoop { .. } => fields.get("loops").map(Node::place),
+            SetupError::Range { what, .. } if what == "the rate of the run" => {
+                fields.get("rate").map(Node::place)
+            }
+            SetupError::Range { what, .. } if what.starts_with("the number of frames") => {
+                fields.get("rate").or(fields.get("duration")).map(Node::place)
+            }
             _ => None,
         };
         let method = fields.get("method").or(fields.get("tolerance")).map(Node::place);

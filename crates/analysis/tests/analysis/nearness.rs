@@ -1,6 +1,6 @@
 //! How near the parts of a figure come to each other.
 use nalgebra::Vector3;
-use solaris_analysis::{Nearness, NearnessError, nearness};
+use solaris_analysis::{Clearance, Nearness, NearnessError, nearness};
 use solaris_model::{
     Figure, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, Placement, Shape, ShapeKind, human,
 };
@@ -192,5 +192,27 @@ fn what_flies_apart_is_measured_from_figure_to_figure() {
         let least = measured.min_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("some");
         assert!((near.distance - apart(near.links)).abs() < 1e-12, "{near:?}");
         assert!((near.distance - apart(least)).abs() < 1e-12, "{near:?}, {least:?}");
+    }
+}
+
+/// Two arms whose tips are `1 − 2·0.6·sin(lean)` apart: how that changes, and which coordinates move what.
+#[test]
+fn slopes_of_clearance_are_derivatives_of_distances() {
+    let figure = two_arms(true);
+    let mut clearance = Clearance::new(&figure, &[0, 1, 2], &[]).expect("a figure");
+    assert_eq!(clearance.pairs().collect::<Vec<_>>(), [[1, 2]]);
+    // The slide carries both.
+    assert_eq!(clearance.moved_by(0), [1, 2]);
+    let q = [0.3, -0.4, 0.4];
+    let apart = 1.0 - 2.0 * 0.6 * 0.4_f64.sin() - 0.08;
+    assert!((clearance.distance(&q, 0).expect("measured") - apart).abs() < 1e-14);
+    let [(first, left), (second, right)] = clearance.slopes(&q, 0).expect("measured")[..] else { panic!() };
+    let slope = 0.6 * 0.4_f64.cos();
+    assert!((first, second) == (1, 2) && (left - slope).abs() < 1e-9 && (right + slope).abs() < 1e-9);
+    assert!(clearance.nearer(&q, apart - 1e-9).expect("measured").is_empty());
+    assert_eq!(clearance.nearer(&q, apart + 1e-9).expect("measured").len(), 1);
+    // What nothing moves, or is left out, is not measured.
+    for (dofs, but) in [(&[0][..], &[][..]), (&[1, 2], &[[2, 1]])] {
+        assert_eq!(Clearance::new(&figure, dofs, but).expect("a figure").pairs().len(), 0);
     }
 }

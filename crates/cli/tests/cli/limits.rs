@@ -9,7 +9,7 @@ const READERS: [&str; 7] = ["cli", "files", "io", "model", "profiles", "scene", 
 
 /// Constants of such names that limit no input: what is shown of many things, what is looked at for hints, what a format holds or a formula
 /// takes.
-const OTHERS: [(&str, &str); 19] = [
+const OTHERS: [(&str, &str); 22] = [
     ("cli/src/profile/summary.rs", "MOST_KEYS"),
     ("cli/src/underline.rs", "MOST_SHOWN"),
     ("io/src/c3d/layout.rs", "MOST"),
@@ -26,7 +26,10 @@ const OTHERS: [(&str, &str); 19] = [
     ("model/src/lint/mirror.rs", "FARTHEST"),
     ("model/src/lint/sides.rs", "LONGEST"),
     ("profiles/src/displacement/exponential.rs", "MOST"),
+    ("scene/src/read/apart.rs", "MOST_IN_VAIN"),
+    ("scene/src/read/apart.rs", "MOST_OF_PAIR"),
     ("scene/src/read/drives.rs", "MOST_IN_REPEAT"),
+    ("scene/src/read/places.rs", "MOST_TOLD"),
     ("text/src/layout.rs", "WIDEST"),
     ("text/src/nearest.rs", "LONGEST_NAME"),
 ];

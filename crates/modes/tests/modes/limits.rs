@@ -2,7 +2,9 @@
 
 use approx::assert_abs_diff_eq;
 use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
-use solaris_modes::{Drive, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation};
+use solaris_modes::{
+    Drive, EndCondition, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step,
+};
 use solaris_profiles::Profile;
 
 const G: f64 = 9.81;
@@ -232,6 +234,38 @@ fn blocks_that_stick_together_go_on_together() {
     assert_abs_diff_eq!(found.motion.v(100)[0], 0.5, epsilon = 1e-12);
     assert_abs_diff_eq!(found.motion.v(100)[1], 0.0, epsilon = 1e-12);
     assert_abs_diff_eq!(found.motion.q(100)[1], 0.0, epsilon = 1e-12);
+}
+
+/// What begins to stand still while it moves, a latch, does so by an impulse: momentum is kept, and what is lost is ½·μ·Δv².
+#[test]
+fn what_latches_goes_on_with_the_momentum_of_both() {
+    let figure = FigureBuilder::new("pair")
+        .link(LinkSpec::root("first", Joint::new("rail").tx()).mass(1.0))
+        .link(LinkSpec::child("second", "first", Joint::new("gap").tx()).mass(3.0))
+        .build()
+        .expect("valid");
+    let mut simulation = Simulation::new(&figure, Vector3::zeros());
+    simulation.set_start(&[0.0, 1.0], &[2.0, -2.0]).expect("valid");
+    let drives: [Step; 2] = [
+        Step { drive: Drive::Free, until: EndCondition::Time(0.25) },
+        Step { drive: Drive::Frozen, until: EndCondition::Done },
+    ];
+    simulation.drive("rail.tx", [Drive::Free]).expect("valid");
+    simulation.drive("gap.tx", drives).expect("valid");
+    for (method, exact) in [
+        (Method::Fixed { rule: Rule::RungeKutta4, step: 0.01 }, 1e-12),
+        (Method::Adaptive { tolerance: 1e-9 }, 1e-12),
+        (Method::Impulses { step: 1e-3 }, 1e-9),
+    ] {
+        let found = simulation.run(&Settings { method, ..settings(1.0) }).expect("runs");
+        let last = found.motion.v(100);
+        assert_abs_diff_eq!(last[0], 0.5, epsilon = exact);
+        assert_abs_diff_eq!(last[1], 0.0, epsilon = exact);
+        assert_abs_diff_eq!(found.motion.q(100)[1], 0.5, epsilon = 1e-9);
+        let energy = &found.report.energy;
+        assert_abs_diff_eq!(energy.impacts, 0.5 * 0.75 * 4.0, epsilon = 1e-9);
+        assert!(energy.imbalance < 1e-9 * energy.scale, "{method:?}: {energy:?}");
+    }
 }
 
 #[test]

@@ -12,10 +12,9 @@ pub(super) const APART: f64 = 5e-3;
 pub(super) const MOST_APART: f64 = 0.2;
 /// How much farther (m) what is added takes them, so that there is an end of it.
 const MORE: f64 = 5e-4;
-/// In what time it comes and goes (s).
+/// In what time it comes and goes (s), and the shortest where there is not so much.
 const COMES_IN: f64 = 0.3;
-/// The least time (s) in which anything comes or goes.
-const LEAST: f64 = 0.01;
+const SHORTEST: f64 = 0.2;
 /// What is added in one round, at most (rad or m).
 const STRIDE: f64 = 0.15;
 /// What is deeper than this (m) in each other is first tried to be turned about its way, by so much (rad or m).
@@ -92,7 +91,7 @@ impl Nudge {
         let (rises, full) = (own.rises.max(from), own.full);
         let falls = own.falls.min(0.5 * (full + until));
         let gone = (falls + COMES_IN).min(until);
-        (full - rises > LEAST && gone - falls > LEAST).then_some(Self {
+        (full - rises >= 0.5 * SHORTEST && gone - falls >= 0.5 * SHORTEST).then_some(Self {
             rises,
             full,
             falls,
@@ -316,11 +315,10 @@ impl Missing {
         let first = (0..=frame).rev().take_while(is_near).last().unwrap_or(frame);
         let last = (frame..times.len()).take_while(is_near).last().unwrap_or(frame);
         let rises = from.map_or(times[first] - COMES_IN, |from| from.max(times[first] - COMES_IN));
-        // Where there is not time enough, half of what there is.
-        let full = times[first].max(rises + 0.5 * (times[frame] - rises).min(COMES_IN));
+        let full = times[first].max(rises + SHORTEST);
         // What comes to rest so near stays where it is then.
         let stays = last + 1 >= times.len() || times[last] + COMES_IN > until;
-        let falls = if stays { f64::INFINITY } else { times[last] };
+        let falls = if stays { f64::INFINITY } else { times[last].max(full) };
         Nudge { rises, full, falls, gone: falls + COMES_IN, by: Vec::new(), detour: Vector3::zeros() }
     }
 }
@@ -337,4 +335,41 @@ pub(super) fn way(slopes: &[f64], mut free: Vec<f64>, by: f64) -> Option<Vec<f64
     let scale = (by / gain).min(STRIDE / longest);
     free.iter_mut().for_each(|way| *way *= scale);
     Some(free)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_added_comes_and_goes_smoothly() {
+        let nudge =
+            Nudge { rises: 0.2, full: 0.5, falls: 0.9, gone: 1.2, by: Vec::new(), detour: Vector3::zeros() };
+        let h = 1e-6;
+        for k in 0..1400 {
+            let time = 1e-3 * f64::from(k) + 3e-4;
+            let [much, rate, change] = nudge.at(time);
+            let [before, after] = [-h, h].map(|by| nudge.at(time + by));
+            assert!((0.0..=1.0).contains(&much), "{time}");
+            assert!(((after[0] - before[0]) / (2.0 * h) - rate).abs() < 1e-8, "{time}");
+            assert!(((after[1] - before[1]) / (2.0 * h) - change).abs() < 1e-6, "{time}");
+        }
+        assert!(nudge.at(0.1)[0] <= 0.0 && nudge.at(0.7)[0] >= 1.0 && nudge.at(2.0)[0] <= 0.0);
+        let stays = Nudge { falls: f64::INFINITY, gone: f64::INFINITY, ..nudge.clone() };
+        assert!(stays.at(1e6)[0] >= 1.0);
+        // A detour is over when the point is there.
+        let detour = Nudge::detour([0.3, 0.8], Vector3::x(), &nudge).expect("time enough");
+        assert!(detour.at(0.3)[0] <= 0.0 && detour.at(0.8)[0] <= 0.0 && detour.at(0.55)[0] >= 1.0);
+        assert!(Nudge::detour([0.5, 0.8], Vector3::x(), &nudge).is_none());
+    }
+
+    #[test]
+    fn a_way_takes_apart_by_as_much_as_is_asked() {
+        let by = way(&[0.2, 0.0, -0.1], vec![0.2, 0.0, -0.1], 0.01).expect("a way");
+        assert!((0.2 * by[0] - 0.1 * by[2] - 0.01).abs() < 1e-15);
+        // No farther than a stride, and not along what is no way.
+        let far = way(&[0.01, 0.0], vec![0.01, 0.0], 1.0).expect("a way");
+        assert!((far[0] - STRIDE).abs() < 1e-15);
+        assert!(way(&[0.2, 0.1], vec![0.0, 0.0], 0.01).is_none() && way(&[0.0], vec![1.0], 0.01).is_none());
+    }
 }

@@ -44,26 +44,33 @@ fn leap(motion: &Motion) -> f64 {
 /// is where it should be in the end.
 #[test]
 fn an_arm_goes_round_the_trunk() {
-    for (to, cuts) in [
-        ([0.15, 0.95, 0.2], 0.14),
-        ([0.1, 1.2, 0.15], 0.12),
-        ([0.15, 1.3, 0.25], 0.12),
-        ([-0.05, 0.9, -0.2], 0.02),
-        ([-0.1, 1.45, 0.25], 0.03),
+    for (to, cuts, clear) in [
+        ([0.15, 0.95, 0.2], 0.14, 0.005),
+        ([0.1, 1.2, 0.15], 0.12, 0.005),
+        ([0.15, 1.3, 0.25], 0.12, 0.005),
+        ([-0.05, 0.9, -0.2], 0.02, 0.0),
+        ([-0.1, 1.45, 0.25], 0.03, 0.005),
     ] {
         let (plain, kept) = (reach(to, 0.0), reach(to, 0.005));
         let (through, round) = (run(&plain), run(&kept));
         let figure = kept.figure();
         let (near, apart) = (nearest(figure, &through), nearest(figure, &round));
         assert!(near < -cuts, "{to:?}: {near}");
-        assert!(apart > 0.005, "{to:?}: {apart}");
-        assert!(!kept.notes().iter().any(|note| note.contains("apart")), "{:?}", kept.notes());
+        // What is out of reach is not taken farther off for the last millimetre.
+        assert!(apart > clear, "{to:?}: {apart}");
+        assert_eq!(
+            clear > 0.0,
+            !kept.notes().iter().any(|note| note.contains("apart")),
+            "{:?}",
+            kept.notes()
+        );
         let last = round.len() - 1;
         let off = |motion: &Motion| (hand(figure, motion.q(last)) - Vector3::from(to)).norm();
         assert!(off(&round) < off(&through) + 1e-8, "{to:?}: {} {}", off(&round), off(&through));
         // What is added comes and goes without a jump.
         let (plain, kept) = (leap(&through), leap(&round));
-        assert!(kept < 3.0 * plain + 20.0, "{to:?}: {kept} beside {plain}");
+        // A joint that comes to its limit ends there with 0.2 rad/s.
+        assert!(kept < 3.0 * plain + 60.0, "{to:?}: {kept} beside {plain}");
     }
 }
 

@@ -72,6 +72,8 @@ fn of_several_figures() {
         "drives: {\"bob.*\": Frozen, \"ann.left_knee.rx\": Free}, places: {\"bob\": (at: (0, 0, 1), facing: deg(180))}",
         "drives: {\"left_knee.rx\": Free}",
         "places: {\"bib\": (at: (0, 0, 1))}",
+        "places: {\"visitor\": (at: (0, 0, 1))}",
+        "pushes: [Push(link: \"left_hnd\", force: (1, 0, 0))]",
         "places: {\"bob\": (at: (0, 0, 1)), \"bob\": (facing: 1)}",
         "places: {\"bob\": (at: 3, facing: \"x\", side: 1)}",
         "walk: Walk(steps: 4, step_frequency: 110)",
@@ -196,4 +198,61 @@ fn of_links_that_touch_and_loops() {
         let _ = write!(text, "{case}\n{}\n", faults(&person(case)));
     }
     insta::assert_snapshot!(text);
+}
+
+/// Words of others, and of other places, say what to write; what is found out only when all is read has a place all the same.
+#[test]
+fn of_others() {
+    let mut text = listed(&[
+        "self_contact: true, contacts: 1, dt: 0.01, fps: 60, floor: true",
+        "drives: {\"elbow.rx\": PD(to: 1), \"elbow.ry\": LetGo, \"slide\": Grasp(1)}",
+        "sequence: [Sequence([])]",
+        "drives: {\"elbow.rx\": [When(Touches(\"tip\")), Free]}",
+        "loops: [Connect(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 5, 0))))], tolerance: 1e-6",
+        "loops: [Connect(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0, 0))), from: 0.3, until: 0.1)]",
+        "rate: 1e6",
+    ]);
+    for case in [
+        "walk: [Wait(1), Walk(steps: 2)]",
+        "duration: 1, reaches: [Reach(tip: \"right_hand\", by: [\"right_shoulder\"], to: (0, 1, 0.4), over: 0.5, clearance: -1)]",
+    ] {
+        let _ = write!(text, "{case}\n{}\n\n", faults(&person(case)));
+    }
+    let limp = "Scene(version: 1, figures: {\"ann\": Human(height: 1.75, mass: 73, joints: Limp)}, walk: Walk(steps: 2))";
+    let _ = write!(text, "{limp}\n{}\n", faults(limp));
+    insta::assert_snapshot!(text);
+}
+
+/// What is no fault and was hardly meant is noted.
+#[test]
+fn what_was_hardly_meant_is_noted() {
+    let notes = |fields: &str| {
+        let text = format!(
+            "Scene(version: 1, duration: 0.1, rate: 60, figures: {{\"ann\": Human(height: 1.75, mass: 73)}}, {fields})"
+        );
+        let scene = solaris_scene::read(&text, &mut solaris_scene::NoFiles);
+        scene.unwrap_or_else(|error| panic!("{error}")).notes().to_vec()
+    };
+    for (fields, said) in [
+        (
+            "drives: {\"*\": Free}, ground: Flat(friction: 0.8)",
+            "begins 1.02 m in the ground, which throws it out: stand: true in the ground puts figures on it",
+        ),
+        ("method: Impulses(step: 10)", "a step of 10 s is cut to 1.667e-2 s, for 60 frames a second"),
+        (
+            "drives: {\"*\": Frozen}, pushes: [Push(link: \"head\", impulse: (0, 0, 3))]",
+            "the blow on 'head' changes nothing",
+        ),
+    ] {
+        let notes = notes(fields);
+        assert!(notes.iter().any(|note| note.contains(said)), "{fields}: {notes:?}");
+    }
+    for fields in [
+        "drives: {\"*\": Free}, ground: Flat(friction: 0.8, stand: true), method: Impulses(step: 1e-3)",
+        "drives: {\"*\": Frozen}, ground: Flat(friction: 0.8)",
+        "drives: {\"*\": Frozen}, pushes: [Push(link: \"head\", impulse: (0, 0, 3), over: 0.05)]",
+        "drives: {\"*\": Free}, pushes: [Push(link: \"head\", impulse: (0, 0, 3))]",
+    ] {
+        assert_eq!(notes(fields), &[] as &[String], "{fields}");
+    }
 }

@@ -2,7 +2,9 @@
 
 use super::{G, colliding, cube, over_a_slab, settings, shape};
 use approx::assert_relative_eq;
-use solaris_model::{Figure, FigureBuilder, Human, Inertia, Joint, LinkSpec, ShapeKind, Vector3};
+use solaris_model::{
+    Figure, FigureBuilder, Human, Inertia, Joint, LinkSpec, Placement, Shape, ShapeKind, Vector3,
+};
 use solaris_modes::{
     Collisions, ContactLaw, Drive, GroundPlane, Method, Rule, Settings, SetupError, Simulation,
     contact_points,
@@ -27,6 +29,45 @@ fn a_block_on_a_slab_stays_below_its_angle_of_friction_and_slides_above_it() {
         let expected = 0.5 * G * (above.sin() - friction * above.cos());
         let errors = [2e-3, 1e-3].map(|step| (run(above, step) - expected).abs() / expected);
         assert!(errors[1] < 0.05 && errors[1] < 0.7 * errors[0], "{friction}: {errors:?}");
+    }
+}
+
+/// Who rides a slab that is moved goes with it as long as friction can take him, and slides with what it has beyond that.
+#[test]
+fn a_rider_goes_with_what_moves_as_far_as_friction_takes_him() {
+    let slab = Shape { kind: cube(8.0, 0.2, 4.0), placement: Placement::translation(0.0, -0.1, 0.0) };
+    let rider = LinkSpec::child("rider", "world", Joint::free("rider")).mass(3.0);
+    let kind = shape(cube(0.4, 0.2, 0.3));
+    let figure = FigureBuilder::new("ride")
+        .link(LinkSpec::root("world", Joint::new("world")))
+        .link(LinkSpec::child("slab", "world", Joint::new("slide").tx()).mass(1.0).shape(slab))
+        .link(rider.inertia(Inertia::Uniform(kind)).shape(kind))
+        .build()
+        .expect("valid");
+    let friction = 0.5;
+    for (part, tolerance) in [(0.8, 1e-5), (1.5, 5e-3)] {
+        // Speeds up evenly over the second: x = ½·a·t².
+        let acceleration = part * friction * G;
+        let curve = Profile::CubicHermite {
+            from: 0.0,
+            to: 0.5 * acceleration,
+            duration: 1.0,
+            start_velocity: 0.0,
+            end_velocity: acceleration,
+        };
+        let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
+        simulation.set_start(&[0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0; 7]).expect("valid");
+        simulation.drive("slide.tx", [Drive::Kinematic(curve)]).expect("valid");
+        simulation.set_collisions(Collisions::of(&figure, friction).expect("valid")).expect("valid");
+        let run = simulation.run(&settings(1.0, 100.0, 1e-3)).expect("never refused");
+        let (q, v) = (run.motion.q(100), run.motion.v(100));
+        let taken = acceleration.min(friction * G);
+        // Of order one.
+        assert_relative_eq!(q[1], 0.5 * taken, max_relative = 2e-3);
+        assert_relative_eq!(v[1], taken, max_relative = tolerance);
+        // The drive of the slab bears him: m·a, and what rubs.
+        let work = 0.5 * acceleration * acceleration + 3.0 * taken * 0.5 * acceleration;
+        assert_relative_eq!(run.report.energy.work, work, max_relative = 5e-3);
     }
 }
 

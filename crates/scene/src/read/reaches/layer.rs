@@ -11,6 +11,9 @@ use std::collections::HashMap;
 /// The farthest that a point is led from its way (m), so that links do not cut each other.
 const MOST_DETOUR: f64 = 0.3;
 
+/// While what keeps links apart comes in, it is made up for by no more than one over this.
+const LEAST_SHARE: f64 = 0.2;
+
 /// Places all links of a figure in a configuration.
 pub(super) struct Placed {
     pub(super) tree: Tree<f64>,
@@ -99,7 +102,7 @@ impl<'a> Layer<'a> {
         let Some(goal) = self.goals.get(&time.to_bits()).copied() else { return Ok(false) };
         let slope = |dof: usize| slopes.iter().find(|(own, _)| *own == dof).map_or(0.0, |(_, slope)| *slope);
         let own: Vec<f64> = self.moves().map(|(dof, ..)| slope(dof)).collect();
-        let by = by / self.share_at(time);
+        let by = by / (self.share_at(time) * nudge.at(time)[0].max(LEAST_SHARE));
         let text = |error: ReachError| error.to_string();
         if detour {
             if !self.asked.what.is_of_a_place() {

@@ -7,7 +7,7 @@ use solaris_analysis::REACHED;
 use solaris_model::Figure;
 
 /// The acceleration (rad/s²) that keeping links apart may take of a joint, besides four times what it has without.
-const SMOOTH: f64 = 300.0;
+const SMOOTH: f64 = 100.0;
 
 /// The positions of a figure at some times, with all that is asked of it.
 pub(super) struct Layers<'a> {
