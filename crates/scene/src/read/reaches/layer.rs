@@ -222,10 +222,14 @@ impl<'a> Layer<'a> {
         added: Vec<f64>,
     ) -> Result<Solved, String> {
         for (i, &coordinate) in self.coordinates.iter().enumerate() {
-            q[coordinate] += added[i];
-            if let Some(last) = &self.solved {
-                q[coordinate] += last.q[i] - last.otherwise[coordinate] - last.added[i];
-            }
+            let (from, by) = match &self.solved {
+                Some(last) => (
+                    last.q[i] + (otherwise[coordinate] - last.otherwise[coordinate]),
+                    added[i] - last.added[i],
+                ),
+                None => (q[coordinate], added[i]),
+            };
+            q[coordinate] = from + by;
         }
         let reached = self.solver.solve(q, &goal).map_err(|error| error.to_string())?;
         let found = self.coordinates.iter().map(|coordinate| q[*coordinate]).collect();
