@@ -24,6 +24,8 @@ const TURNS: [f64; 8] = [0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.8, -1.8];
 const MOST_OF_PAIR: usize = 24;
 const MOST_IN_VAIN: usize = 4;
 const MOST_ROUNDS: usize = 80;
+/// Numbers of positions in all rounds, at most: of a person for two minutes there is one round. What is longer is left as it is.
+const MOST_NUMBERS: usize = 8_000_000;
 
 impl SceneReader<'_> {
     /// How far apart links are to be kept (m), a field `clearance`.
@@ -49,7 +51,7 @@ impl SceneReader<'_> {
                 1e3 * distance.abs(),
             );
             format!(
-                "'{}' and '{}' {near} {mm:.1} mm, at {time:.2} s: nothing that moves them is free to keep them apart",
+                "'{}' and '{}' {near} {mm:.1} mm, at {time:.2} s, and could not be kept apart",
                 name(*a),
                 name(*b)
             )
@@ -197,10 +199,15 @@ pub(super) fn keep(
     if widest <= 0.0 || clearance.pairs().len() == 0 {
         return motion.positions().map(|_| Vec::new());
     }
+    let numbers: usize = motion.positions()?.iter().map(Vec::len).sum();
+    let rounds = (MOST_NUMBERS / numbers.max(1)).min(MOST_ROUNDS);
+    if rounds == 0 {
+        return Ok(Vec::new());
+    }
     let mut given_up = Vec::new();
     let mut tried: BTreeMap<usize, Tried> = BTreeMap::new();
     let mut best = (f64::INFINITY, motion.added());
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..rounds {
         let missing = Missing::of(clearance, motion, times.len())?;
         let cost = missing.cost();
         if cost < best.0 && motion.is_sound()? {
@@ -248,22 +255,19 @@ pub(super) fn keep(
     if !tried.is_empty() {
         motion.put_back(best.1);
     }
-    given_up.sort_unstable();
-    let positions = motion.positions()?.to_vec();
-    let mut cuts = Vec::new();
-    for pair in given_up {
-        let links = clearance.pairs().nth(pair).unwrap_or_default();
-        let mut worst: Option<Cuts> = None;
-        for (frame, (q, time)) in positions.iter().zip(times).enumerate() {
-            let distance = clearance.distance(q, pair).map_err(text)?;
-            let is_near = distance < motion.wanted(frame, clearance.moved_by(pair));
-            if is_near && worst.as_ref().is_none_or(|worst| distance < worst.distance) {
-                worst = Some(Cuts { links, distance, time: *time });
+    let mut cuts: BTreeMap<usize, Cuts> = BTreeMap::new();
+    for (frame, time) in times.iter().enumerate() {
+        for (pair, distance) in
+            Missing::of_frame(clearance, motion, frame)?.into_iter().map(|one| (one.0, one.2))
+        {
+            let links = clearance.pairs().nth(pair).unwrap_or_default();
+            let worst = cuts.entry(pair).or_insert(Cuts { links, distance: f64::INFINITY, time: 0.0 });
+            if distance < worst.distance {
+                (worst.distance, worst.time) = (distance, *time);
             }
         }
-        cuts.extend(worst);
     }
-    Ok(cuts)
+    Ok(cuts.into_values().collect())
 }
 
 /// What is too near, by frame: which pair, and how much is missing (m).
@@ -274,23 +278,35 @@ struct Missing {
 impl Missing {
     /// What is too near in a motion of so many frames.
     fn of(clearance: &mut Clearance, motion: &mut impl Nudged, count: usize) -> Result<Self, String> {
+        let mut frames = Vec::with_capacity(count);
+        for frame in 0..count {
+            let near = Self::of_frame(clearance, motion, frame)?;
+            frames.push(near.into_iter().map(|(pair, by, _)| (pair, by)).collect());
+        }
+        Ok(Self { frames })
+    }
+
+    /// What is too near in a frame: which pair, how much is missing, and how far apart it is (m).
+    fn of_frame(
+        clearance: &mut Clearance,
+        motion: &mut impl Nudged,
+        frame: usize,
+    ) -> Result<Vec<(usize, f64, f64)>, String> {
         let text = |error: NearnessError| error.to_string();
         let widest = motion.widest();
-        let mut frames = vec![Vec::new(); count];
-        for (frame, missing) in frames.iter_mut().enumerate() {
-            for (pair, distance) in clearance.nearer(&motion.positions()?[frame], widest).map_err(text)? {
-                let wanted = motion.wanted(frame, clearance.moved_by(pair));
+        let mut missing = Vec::new();
+        for (pair, distance) in clearance.nearer(&motion.positions()?[frame], widest).map_err(text)? {
+            let wanted = motion.wanted(frame, clearance.moved_by(pair));
+            if distance < wanted {
+                let otherwise = motion.otherwise(frame);
+                let own = otherwise.map(|q| clearance.distance(&q, pair)).transpose().map_err(text)?;
+                let wanted = own.map_or(wanted, |own| wanted.min(own));
                 if distance < wanted {
-                    let otherwise = motion.otherwise(frame);
-                    let own = otherwise.map(|q| clearance.distance(&q, pair)).transpose().map_err(text)?;
-                    let wanted = own.map_or(wanted, |own| wanted.min(own));
-                    if distance < wanted {
-                        missing.push((pair, wanted - distance));
-                    }
+                    missing.push((pair, wanted - distance, distance));
                 }
             }
         }
-        Ok(Self { frames })
+        Ok(missing)
     }
 
     /// The squares of what is missing at most of each pair (m²).
