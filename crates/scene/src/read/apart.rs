@@ -24,8 +24,8 @@ const TURNS: [f64; 8] = [0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.8, -1.8];
 const MOST_OF_PAIR: usize = 24;
 const MOST_IN_VAIN: usize = 4;
 const MOST_ROUNDS: usize = 80;
-/// Numbers of positions in all rounds, at most: of a person for two minutes there is one round. What is longer is left as it is.
-const MOST_NUMBERS: usize = 8_000_000;
+/// Numbers of positions that all rounds look at, at most. What is longer than that allows, some minutes of a person, is left as it is.
+const MOST_NUMBERS: usize = 16_000_000;
 
 impl SceneReader<'_> {
     /// How far apart links are to be kept (m), a field `clearance`.
@@ -200,20 +200,22 @@ pub(super) fn keep(
         return motion.positions().map(|_| Vec::new());
     }
     let numbers: usize = motion.positions()?.iter().map(Vec::len).sum();
-    let rounds = (MOST_NUMBERS / numbers.max(1)).min(MOST_ROUNDS);
-    if rounds == 0 {
+    let mut left = MOST_NUMBERS / numbers.max(1);
+    if left < 2 {
         return Ok(Vec::new());
     }
     let mut given_up = Vec::new();
     let mut tried: BTreeMap<usize, Tried> = BTreeMap::new();
     let mut best = (f64::INFINITY, motion.added());
-    for _ in 0..rounds {
+    for _ in 0..MOST_ROUNDS {
         let missing = Missing::of(clearance, motion, times.len())?;
         let cost = missing.cost();
         if cost < best.0 && motion.is_sound()? {
             best = (cost, motion.added());
         }
-        let Some((frame, pair, by)) = missing.worst(&given_up) else { break };
+        // A round takes a look at all of the motion, and the positions that are found anew.
+        left = left.saturating_sub(2);
+        let Some((frame, pair, by)) = missing.worst(&given_up).filter(|_| left > 0) else { break };
         let known = tried.entry(pair).or_insert(Tried::NOTHING);
         known.count += 1;
         known.since += 1;
@@ -222,7 +224,8 @@ pub(super) fn keep(
         }
         let span = motion.span(frame, clearance.moved_by(pair));
         let nudge = missing.nudge(times, frame, pair, span);
-        if by > DEEP && !known.turned {
+        if by > DEEP && !known.turned && left > 2 * TURNS.len() {
+            left -= 2 * TURNS.len();
             // Slopes tell little of what is deep in each other: the limb is turned about its way, as far as is best.
             known.turned = true;
             let added = motion.added();
