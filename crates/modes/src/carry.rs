@@ -48,7 +48,7 @@ pub(crate) fn check_span(
         return Ok(());
     }
     // 0.1 − 0.3 is told as −0.2.
-    check_positive(lasts, (1e12 * (until - from)).round() / 1e12)
+    check_positive(lasts, (1e12 * (until - from)).round() / 1e12 + 0.0)
 }
 
 impl Simulation {

@@ -20,7 +20,7 @@ use nalgebra::DMatrix;
 /// the ground, one out of it), and an impulse `γ(u)` that is the projection of `R⁻¹(û − u)` onto what it can be: pushes, and
 /// Coulomb's cone. `R` is a small compliance of the step, so that the problem is strictly convex. It is solved by Newton's method
 /// with an exact line search, for each island of it by itself: trees of the figure that conditions join. What one does is the same to
-/// the bit whatever others there are.
+/// the bit whatever others stand before it or after it.
 ///
 /// # Source
 ///

@@ -75,8 +75,11 @@ impl Simulation {
     pub fn check_setup(&self, settings: &Settings) -> Result<(), SetupError> {
         check_settings(settings)?;
         touching::check(self)?;
-        let by_impulses = matches!(settings.method, Method::Impulses { .. }) || self.collisions.is_some();
-        if by_impulses || self.closed().next().is_none() {
+        let method = match settings.method {
+            Method::Usual => self.usual_method(),
+            method => method,
+        };
+        if matches!(method, Method::Impulses { .. }) || self.closed().next().is_none() {
             return Ok(());
         }
         let (mut q, mut v) = (self.q.clone(), self.v.clone());

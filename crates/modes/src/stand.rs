@@ -21,17 +21,23 @@ impl Simulation {
         Ok(first.unwrap_or(0.0))
     }
 
-    /// The link that begins deepest in the ground, and how deep (m); none where nothing begins in it.
+    /// Of some links (indices) the one that begins deepest in the ground, and how deep (m); none where none begins in it.
     ///
     /// # Errors
     ///
     /// [`SetupError::Dynamics`] for a figure or a start that the kernel refuses.
-    pub fn begins_in_ground(&self) -> Result<Option<(usize, f64)>, SetupError> {
+    pub fn begins_in_ground(&self, links: &[usize]) -> Result<Option<(usize, f64)>, SetupError> {
         let Some(surface) = &self.surface else { return Ok(None) };
         let mut body = Body::<f64>::new(&self.figure, self.gravity, &[], &self.limits)?.on(Some(surface));
-        body.place(&self.q)?;
-        let depths = surface.contact_points.iter().enumerate().map(|(i, touch)| (touch.link, -body.gap(i)));
-        Ok(depths.filter(|(_, depth)| *depth > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)))
+        let mut q = self.q.clone();
+        let rates = || vec![0.0; self.v.len()];
+        self.figure.follow(&mut q, &mut rates(), &mut rates());
+        body.place(&q)?;
+        let touches = surface.contact_points.iter().enumerate();
+        let depths = touches.map(|(i, touch)| (touch.link, -body.gap(i)));
+        Ok(depths
+            .filter(|(link, depth)| *depth > 0.0 && links.contains(link))
+            .max_by(|a, b| a.1.total_cmp(&b.1)))
     }
 
     /// The root; or the roots of several figures as one, those that move.

@@ -38,8 +38,8 @@ impl Reader {
         Self { asked: self.asked, words: self.words, ..Self::default() }
     }
 
-    /// From now on a message about one of these words that is near to none that is known says what to write instead, the third of each; the
-    /// first is the group that it is a field of, or a word that could stand in its place.
+    /// From now on a message about one of these words, where it is not known, says what to write instead, the third of each; the first is the
+    /// group that it is a field of, or a word that could stand in its place.
     pub fn explain(&mut self, words: &'static [(&'static str, &'static str, &'static str)]) {
         self.words = words;
     }

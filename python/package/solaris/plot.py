@@ -9,7 +9,7 @@ import argparse
 import sys
 from typing import Optional, Sequence
 
-from solaris.trials import _solved
+from solaris.trials import solve_one
 
 
 def _main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -28,7 +28,7 @@ def _main(arguments: Optional[Sequence[str]] = None) -> int:
     names, out = asked.pop("of"), asked.pop("out")
     if asked["motion"].lower().endswith((".c3d", ".trc")):
         asked["markers"], asked["motion"] = asked["motion"], None
-    measures, error, motion = _solved(asked)
+    measures, error, motion = solve_one(asked)
     if motion is None:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -41,7 +41,7 @@ import numpy as np
 import solaris
 from solaris._parts import by_ray, write
 
-__all__ = ["make", "read", "solve"]
+__all__ = ["make", "read", "solve", "solve_one"]
 
 #: What a table of trials may say of each.
 COLUMNS = ("trial", "model", "motion", "markers", "external", "plates", "external_loads", "soles", "filter", "order")
@@ -85,7 +85,7 @@ def solve(batch: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
     rows = range(len(batch["trial"]))
     # Analyses let go of Python, so that threads use the cores of this machine.
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = list(pool.map(lambda row: _solved({name: batch[name][row] for name in batch}), rows))
+        found = list(pool.map(lambda row: solve_one({name: batch[name][row] for name in batch}), rows))
     table: dict[str, Any] = {name: list(batch[name]) for name in batch}
     for name in MEASURES:
         table[name] = np.array([measures.get(name, np.nan) for measures, _, _ in found])
@@ -94,7 +94,8 @@ def solve(batch: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
     return table
 
 
-def _solved(asked: Mapping[str, Any]) -> tuple[dict[str, float], str, Optional[solaris.Motion]]:
+def solve_one(asked: Mapping[str, Any]) -> tuple[dict[str, float], str, Optional[solaris.Motion]]:
+    """One trial: its measures, what is wrong with it (nothing where all went well), and its motion with joint forces."""
     said = {name: str(value) for name, value in asked.items() if value is not None and str(value).strip() not in ("", "nan")}
     measures: dict[str, float] = {}
     try:
@@ -162,7 +163,7 @@ def _part(number: int, table: Mapping[str, Sequence[Any]], out: Path) -> Path:
     path = out / _file_name(str(table["trial"][number]))
     if path.exists() and _said(path)["asked"] == _asked(number, table):
         return path
-    measures, error, motion = _solved({name: table[name][number] for name in table})
+    measures, error, motion = solve_one({name: table[name][number] for name in table})
     columns = motion.to_dict() if motion else {}
     said = {"asked": _asked(number, table), "error": error, **measures}
     part = pyarrow.table(columns).replace_schema_metadata({"solaris": json.dumps(said)})

@@ -19,11 +19,12 @@ pub struct Clearance {
     workspace: Workspace<f64>,
     outlines: Outlines,
     pairs: Vec<Pair>,
-    /// By degree of freedom, its coordinate.
-    coordinates: Vec<Option<usize>>,
+    figure: Figure,
     /// By pair, the degrees of freedom among those that move, which move it.
     moved_by: Vec<Vec<usize>>,
+    /// A configuration, and room for the velocities of what follows.
     q: Vec<f64>,
+    rates: [Vec<f64>; 2],
 }
 
 impl Clearance {
@@ -35,18 +36,10 @@ impl Clearance {
     pub fn new(figure: &Figure, dofs: &[usize], but: &[[usize; 2]]) -> Result<Self, NearnessError> {
         let flyers = Flyers::of(figure, &[]);
         let layout = figure.layout();
-        // What carries each link, of the degrees of freedom that move.
-        let mut carried: Vec<Vec<usize>> = Vec::with_capacity(figure.links().len());
-        for (link, joint) in figure.links().iter().zip(layout.joints()) {
-            let mut own = link.parent().map_or_else(Vec::new, |parent| carried[parent].clone());
-            own.extend((joint.v..joint.v + joint.nv).filter(|dof| dofs.contains(dof)));
-            carried.push(own);
-        }
-        let moves = |[a, b]: [usize; 2]| {
-            let of_one = |one: usize, other: usize| {
-                carried[one].iter().copied().filter(|dof| !carried[other].contains(dof)).collect::<Vec<_>>()
-            };
-            [of_one(a, b), of_one(b, a)].concat()
+        let moves = |pair: [usize; 2]| {
+            let mut between = way(figure, pair);
+            between.retain(|dof| dofs.contains(dof));
+            between
         };
         let is_left_out = |[a, b]: [usize; 2]| but.contains(&[a, b]) || but.contains(&[b, a]);
         let candidates = flyers.groups().flat_map(|links| figure.pairs_apart_among(links));
@@ -64,8 +57,35 @@ impl Clearance {
         outlines.place(&workspace);
         pairs.retain_mut(|pair| outlines.between(pair, 0.0).is_none_or(|distance| distance >= 0.0));
         let moved_by = pairs.iter().map(|pair| moves(pair.links)).collect();
-        let coordinates = (0..layout.nv()).map(|dof| layout.coordinate(dof)).collect();
-        Ok(Self { tree, workspace, outlines, pairs, coordinates, moved_by, q })
+        let rates = [vec![0.0; layout.nv()], vec![0.0; layout.nv()]];
+        Ok(Self { tree, workspace, outlines, pairs, figure: figure.clone(), moved_by, q, rates })
+    }
+
+    /// Leaves out the pairs of which `keep` says no; it is told their links, and all degrees of freedom that move them against each other.
+    pub fn retain(&mut self, mut keep: impl FnMut([usize; 2], &[usize]) -> bool) {
+        let kept: Vec<bool> =
+            self.pairs.iter().map(|pair| keep(pair.links, &way(&self.figure, pair.links))).collect();
+        let mut of_pairs = kept.iter();
+        self.pairs.retain(|_| of_pairs.next().is_some_and(|keep| *keep));
+        let mut of_moved = kept.iter();
+        self.moved_by.retain(|_| of_moved.next().is_some_and(|keep| *keep));
+    }
+
+    /// Places the links, those that follow others as these say.
+    fn place(&mut self, q: &[f64]) -> Result<(), NearnessError> {
+        if self.figure.followers().is_empty() {
+            forward_kinematics(&self.tree, &mut self.workspace, q)?;
+        } else {
+            self.q.clear();
+            self.q.extend_from_slice(q);
+            if q.len() == self.tree.nq() {
+                let [v, a] = &mut self.rates;
+                self.figure.follow(&mut self.q, v, a);
+            }
+            forward_kinematics(&self.tree, &mut self.workspace, &self.q)?;
+        }
+        self.outlines.place(&self.workspace);
+        Ok(())
     }
 
     /// The links of each pair, by index.
@@ -84,8 +104,7 @@ impl Clearance {
     ///
     /// [`NearnessError`] for a configuration that is none.
     pub fn nearer(&mut self, q: &[f64], limit: f64) -> Result<Vec<(usize, f64)>, NearnessError> {
-        forward_kinematics(&self.tree, &mut self.workspace, q)?;
-        self.outlines.place(&self.workspace);
+        self.place(q)?;
         let measured = self.pairs.iter_mut().enumerate();
         Ok(measured.filter_map(|(i, pair)| Some((i, self.outlines.between(pair, limit)?))).collect())
     }
@@ -96,8 +115,7 @@ impl Clearance {
     ///
     /// As for [`nearer`](Self::nearer).
     pub fn distance(&mut self, q: &[f64], pair: usize) -> Result<f64, NearnessError> {
-        forward_kinematics(&self.tree, &mut self.workspace, q)?;
-        self.outlines.place(&self.workspace);
+        self.place(q)?;
         Ok(self.outlines.between(&mut self.pairs[pair], f64::INFINITY).unwrap_or(f64::INFINITY))
     }
 
@@ -108,11 +126,12 @@ impl Clearance {
     /// As for [`nearer`](Self::nearer).
     pub fn slopes(&mut self, q: &[f64], pair: usize) -> Result<Vec<(usize, f64)>, NearnessError> {
         let mut slopes = Vec::with_capacity(self.moved_by[pair].len());
-        let mut aside = std::mem::take(&mut self.q);
-        aside.copy_from_slice(q);
-        for index in 0..self.moved_by[pair].len() {
-            let dof = self.moved_by[pair][index];
-            let Some(coordinate) = self.coordinates[dof] else { continue };
+        let mut aside = q.to_vec();
+        for dof in self.moved_by[pair].clone() {
+            // A ball joint has no coordinate to be moved alone; a configuration that is too short is refused where links are placed.
+            let Some(coordinate) = self.figure.layout().coordinate(dof).filter(|x| *x < q.len()) else {
+                continue;
+            };
             let mut at = |by: f64| {
                 aside[coordinate] = q[coordinate] + by;
                 self.distance(&aside, pair)
@@ -121,7 +140,28 @@ impl Clearance {
             aside[coordinate] = q[coordinate];
             slopes.push((dof, (after - before) / (2.0 * ASIDE)));
         }
-        self.q = aside;
         Ok(slopes)
     }
+}
+
+/// The degrees of freedom that move two links against each other: those of all joints on the way from one to the other, and of those that
+/// they follow.
+fn way(figure: &Figure, [mut low, mut high]: [usize; 2]) -> Vec<usize> {
+    let (links, mut found) = (figure.links(), Vec::new());
+    while low != high {
+        if low > high {
+            (low, high) = (high, low);
+        }
+        // Parents have smaller indices: the greater of both is never above the other.
+        let joint = figure.layout().joints()[high];
+        for dof in joint.v..joint.v + joint.nv {
+            let leader = figure.followers().iter().find(|follower| follower.dof == dof);
+            found.push(leader.map_or(dof, |follower| follower.leader));
+        }
+        let Some(parent) = links[high].parent() else { break };
+        high = parent;
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
 }

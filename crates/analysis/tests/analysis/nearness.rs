@@ -211,6 +211,13 @@ fn slopes_of_clearance_are_derivatives_of_distances() {
     assert!((first, second) == (1, 2) && (left - slope).abs() < 1e-9 && (right + slope).abs() < 1e-9);
     assert!(clearance.nearer(&q, apart - 1e-9).expect("measured").is_empty());
     assert_eq!(clearance.nearer(&q, apart + 1e-9).expect("measured").len(), 1);
+    // What is no configuration is refused, and the next one is measured as before.
+    assert!(clearance.slopes(&[f64::NAN; 3], 0).is_err() && clearance.slopes(&q[..2], 0).is_err());
+    assert_eq!(clearance.slopes(&q, 0).expect("measured").len(), 2);
+    clearance.retain(|links, between| links == [1, 2] && between == [1, 2]);
+    assert_eq!(clearance.pairs().len(), 1);
+    clearance.retain(|_, _| false);
+    assert_eq!(clearance.pairs().len(), 0);
     // What nothing moves, or is left out, is not measured.
     for (dofs, but) in [(&[0][..], &[][..]), (&[1, 2], &[[2, 1]])] {
         assert_eq!(Clearance::new(&figure, dofs, but).expect("a figure").pairs().len(), 0);

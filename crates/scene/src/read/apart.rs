@@ -88,6 +88,18 @@ impl Nudge {
         [1.0 - gone, -rate, -change]
     }
 
+    /// The same, but nothing of it before a time (s).
+    #[must_use]
+    pub(super) fn not_before(mut self, from: f64) -> Self {
+        if self.rises < from {
+            self.rises = from;
+            self.full = self.full.max(from + SHORTEST);
+            self.falls = self.falls.max(self.full);
+            self.gone = self.gone.max(self.falls + COMES_IN);
+        }
+        self
+    }
+
     /// A detour of a point within the time (s) that it is on its way; none where there is no time.
     pub(super) fn detour([from, until]: [f64; 2], along: Vector3<f64>, own: &Self) -> Option<Self> {
         let (rises, full) = (own.rises.max(from), own.full);
@@ -119,8 +131,11 @@ fn share(u: f64, over: f64) -> [f64; 3] {
 
 /// A motion at some times, to which nudges can be added.
 pub(super) trait Nudged {
-    /// The positions of the whole figure at each of the times, with what was added.
+    /// The positions of the whole figure at each of the times, with what was added; kept until something is added or put back.
     fn positions(&mut self) -> Result<&[Vec<f64>], String>;
+
+    /// How often all positions have been found by now.
+    fn found(&self) -> usize;
 
     /// How far apart any links are to be at any time, at most (m).
     fn widest(&self) -> f64;
@@ -131,8 +146,8 @@ pub(super) trait Nudged {
     /// The positions without the motion, where that is over something else.
     fn otherwise(&self, frame: usize) -> Option<Vec<f64>>;
 
-    /// From when to when (s) something may be added about a time; before the first it must be nothing, unless that is `None`.
-    fn span(&self, frame: usize, dofs: &[usize]) -> (Option<f64>, f64);
+    /// Until when (s) what is added about a time is seen: what is too near then may stay.
+    fn until(&self, frame: usize, dofs: &[usize]) -> f64;
 
     /// Adds a way that takes two links `by` (m) farther apart at a frame, where their distance changes by `slopes` with degrees of freedom,
     /// beside what is asked or, with `detour`, by another way to it; whether there is any.
@@ -200,8 +215,9 @@ pub(super) fn keep(
         return motion.positions().map(|_| Vec::new());
     }
     let numbers: usize = motion.positions()?.iter().map(Vec::len).sum();
-    let mut left = MOST_NUMBERS / numbers.max(1);
-    if left < 2 {
+    // What has been found and looked at, against what may be.
+    let (mut looks, most) = (0, MOST_NUMBERS / numbers.max(1));
+    if most < 2 {
         return Ok(Vec::new());
     }
     let mut given_up = Vec::new();
@@ -213,25 +229,28 @@ pub(super) fn keep(
         if cost < best.0 && motion.is_sound()? {
             best = (cost, motion.added());
         }
-        // A round takes a look at all of the motion, and the positions that are found anew.
-        left = left.saturating_sub(2);
-        let Some((frame, pair, by)) = missing.worst(&given_up).filter(|_| left > 0) else { break };
+        looks += 1;
+        let has_time = looks + motion.found() < most;
+        let Some((frame, pair, by)) = missing.worst(&given_up).filter(|_| has_time) else { break };
         let known = tried.entry(pair).or_insert(Tried::NOTHING);
         known.count += 1;
         known.since += 1;
         if by < 0.8 * known.least {
             (known.least, known.since) = (by, 0);
         }
-        let span = motion.span(frame, clearance.moved_by(pair));
-        let nudge = missing.nudge(times, frame, pair, span);
-        if by > DEEP && !known.turned && left > 2 * TURNS.len() {
-            left -= 2 * TURNS.len();
+        let until = motion.until(frame, clearance.moved_by(pair));
+        let nudge = missing.nudge(times, frame, pair, until);
+        if by > DEEP && !known.turned {
             // Slopes tell little of what is deep in each other: the limb is turned about its way, as far as is best.
             known.turned = true;
             let added = motion.added();
             let mut least = (cost, None);
             for turn in TURNS {
+                if looks + motion.found() >= most {
+                    break;
+                }
                 if motion.turn(frame, clearance.moved_by(pair), turn, nudge.clone())? && motion.is_sound()? {
+                    looks += 1;
                     let cost = Missing::of(clearance, motion, times.len())?.cost();
                     if cost < least.0 {
                         least = (cost, Some(motion.added()));
@@ -328,16 +347,15 @@ impl Missing {
         all.filter(|(_, pair, _)| !but.contains(pair)).max_by(|a, b| a.2.total_cmp(&b.2))
     }
 
-    /// What is to be added about a frame, as long as the pair is too near, within a span.
-    fn nudge(&self, times: &[f64], frame: usize, pair: usize, (from, until): (Option<f64>, f64)) -> Nudge {
+    /// What is to be added about a frame, as long as the pair is too near.
+    fn nudge(&self, times: &[f64], frame: usize, pair: usize, until: f64) -> Nudge {
         let is_near = |frame: &usize| self.frames[*frame].iter().any(|(other, ..)| *other == pair);
         let first = (0..=frame).rev().take_while(is_near).last().unwrap_or(frame);
         let last = (frame..times.len()).take_while(is_near).last().unwrap_or(frame);
-        let rises = from.map_or(times[first] - COMES_IN, |from| from.max(times[first] - COMES_IN));
-        let full = times[first].max(rises + SHORTEST);
+        let (rises, full) = (times[first] - COMES_IN, times[first]);
         // What comes to rest so near stays where it is then.
         let stays = last + 1 >= times.len() || times[last] + COMES_IN > until;
-        let falls = if stays { f64::INFINITY } else { times[last].max(full) };
+        let falls = if stays { f64::INFINITY } else { times[last] };
         Nudge { rises, full, falls, gone: falls + COMES_IN, by: Vec::new(), detour: Vector3::zeros() }
     }
 }

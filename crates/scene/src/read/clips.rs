@@ -4,6 +4,7 @@ mod kept;
 
 use super::apart::Cuts;
 use super::drives::Given;
+use super::reaches::stands;
 use super::{SceneReader, apart};
 use kept::Kept;
 use solaris_analysis::{Clearance, differentiate};
@@ -76,7 +77,7 @@ impl SceneReader<'_> {
             self.simulation.as_ref().map(|simulation| simulation.state().0.to_vec()).unwrap_or_default();
         let begins = (at > 0.0 || blend > 0.0).then_some(at);
         let found = part.of(&figure, &motion, &start, &dofs).and_then(|motion| {
-            let (motion, cuts) = kept_apart(&figure, motion, &dofs, clearance, begins)?;
+            let (motion, cuts) = self.kept_apart(&figure, motion, &dofs, clearance, begins)?;
             Ok((RecordedMotion::new(motion).map_err(|error| error.to_string())?, cuts))
         });
         let (recorded, cuts) = match found {
@@ -119,6 +120,30 @@ impl SceneReader<'_> {
         self.setup(&node.place(), result);
     }
 
+    /// The same motion with links that far apart (m), where that is more than nothing, and which are not; those that nothing moves but the
+    /// clip.
+    fn kept_apart(
+        &self,
+        figure: &Figure,
+        motion: Motion,
+        dofs: &[usize],
+        clearance: f64,
+        begins: Option<f64>,
+    ) -> Result<(Motion, Vec<Cuts>), String> {
+        if clearance <= 0.0 {
+            return Ok((motion, Vec::new()));
+        }
+        let mut measure = Clearance::new(figure, dofs, &[]).map_err(|error| error.to_string())?;
+        let stands = |dof: &usize| {
+            self.simulation.as_ref().is_some_and(|simulation| stands(simulation.driven_by(*dof)))
+        };
+        measure.retain(|_, between| between.iter().all(|dof| dofs.contains(dof) || stands(dof)));
+        let mut kept = Kept::new(figure, &motion, dofs, clearance, begins)?;
+        let cuts = apart::keep(&mut measure, motion.time(), &mut kept)?;
+        let found = kept.finish().transpose()?;
+        Ok((found.unwrap_or(motion), cuts))
+    }
+
     /// What follows the clip: of what is named, or of all, what has no drive and has a coordinate.
     fn clipped(&mut self, clip: &Fields<'_, '_>, given: &Given) -> Vec<usize> {
         let mut dofs: Vec<usize> = Vec::new();
@@ -142,24 +167,6 @@ impl SceneReader<'_> {
         dofs.dedup();
         dofs
     }
-}
-
-/// The same motion with links that far apart (m), where that is more than nothing; and which are not.
-fn kept_apart(
-    figure: &Figure,
-    motion: Motion,
-    dofs: &[usize],
-    clearance: f64,
-    begins: Option<f64>,
-) -> Result<(Motion, Vec<Cuts>), String> {
-    if clearance <= 0.0 {
-        return Ok((motion, Vec::new()));
-    }
-    let mut measure = Clearance::new(figure, dofs, &[]).map_err(|error| error.to_string())?;
-    let mut kept = Kept::new(figure, &motion, dofs, clearance, begins)?;
-    let cuts = apart::keep(&mut measure, motion.time(), &mut kept)?;
-    let found = kept.finish().transpose()?;
-    Ok((found.unwrap_or(motion), cuts))
 }
 
 /// Which part of a motion, and when.

@@ -149,12 +149,11 @@ impl SceneReader<'_> {
     /// What there is to say of what dynamics move and begins far in the ground, where no walk stands on it.
     pub(super) fn begins_below(&self) -> Option<String> {
         let simulation = self.simulation.as_ref()?;
-        let (link, depth) = simulation.begins_in_ground().ok().flatten()?;
-        let is_moved = self.moved_by_dynamics().contains(&link);
+        let (link, depth) = simulation.begins_in_ground(&self.moved_by_dynamics()).ok().flatten()?;
         let link = simulation.figure().links()[link].name();
-        (is_moved && depth > BELOW).then(|| {
+        (depth > BELOW).then(|| {
             format!(
-                "'{link}' begins {depth:.2} m in the ground, which throws it out: stand: true in the ground puts figures on it, or let it \
+                "'{link}' begins {depth:.2} m in the ground: stand: true in the ground puts figures on it, or let it \
                  begin higher (start, places)"
             )
         })

@@ -160,11 +160,11 @@ impl SceneReader<'_> {
         }
         let message = format!("figure '{}' has no link '{name}'", figure.name());
         // Of several figures links have names such as `ann.head`: who leaves the figure out means the nearest of any.
-        let own = |link: &str| link.split_once('.').map_or_else(String::new, |(_, own)| own.to_owned());
-        let owns: Vec<String> = links().map(own).collect();
+        let own = |link: &'_ str| link.split_once('.').map(|(_, own)| own.to_owned());
+        let owns: Vec<String> = links().filter_map(own).collect();
         let near = nearest(name, owns.iter().map(String::as_str));
-        let meant = near.and_then(|near| links().zip(&owns).find(|(_, own)| **own == near));
-        let sought = meant.map_or(name, |(link, _)| link).to_owned();
+        let meant = near.and_then(|near| links().find(|link| own(link).as_ref() == Some(&near)));
+        let sought = meant.unwrap_or(name).to_owned();
         self.reader.unknown_name(node.span.clone(), &message, &sought, links());
         None
     }

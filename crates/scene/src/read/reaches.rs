@@ -11,6 +11,7 @@ mod way;
 
 use super::{SceneReader, apart};
 use asked::Asked;
+pub(super) use beforehand::stands;
 use beforehand::{Beforehand, carriers, is_known, leader};
 use layer::{Layer, Placed};
 use layers::Layers;
@@ -48,7 +49,10 @@ impl SceneReader<'_> {
         if self.reader.count() > before || asked.is_empty() || self.reader.is_asked() {
             return Default::default();
         }
-        let found = self.found(&asked, &simulation, &known, duration, node);
+        let found = self.clearance(&asked, &simulation, known).map_err(|why| (node.place(), why));
+        let found = found.and_then(|(clearance, known)| {
+            self.found(&asked, &simulation, (&known, clearance), duration, node)
+        });
         let found = found.map_err(|(place, why)| self.reader.fault(place, why));
         found.unwrap_or_default()
     }
@@ -127,12 +131,43 @@ impl SceneReader<'_> {
         )
     }
 
+    /// What keeps links apart, and all that has to be known beforehand: of what moves these links, too. What is not known before the run is not
+    /// kept clear of, nor is one figure of another, nor a link of what it follows, which is to be touched.
+    fn clearance(
+        &self,
+        asked: &[Asked],
+        simulation: &Simulation,
+        mut known: Vec<usize>,
+    ) -> Result<(Clearance, Vec<usize>), String> {
+        let figure = simulation.figure();
+        let followed: Vec<[usize; 2]> =
+            asked.iter().filter_map(|one| Some([one.link, one.what.followed()?])).collect();
+        let mut moved: Vec<usize> = asked.iter().flat_map(|one| one.by.iter().copied()).collect();
+        moved.sort_unstable();
+        moved.dedup();
+        let clearance = Clearance::new(figure, &moved, &followed);
+        let mut clearance = clearance.map_err(|error| error.to_string())?;
+        let member = |link: usize| {
+            let name = figure.links()[link].name();
+            name.split_once('.').filter(|_| !self.members.is_empty()).map(|(figure, _)| figure)
+        };
+        clearance.retain(|[a, b], between| {
+            let is_told = |dof: &usize| moved.contains(dof) || is_known(simulation, *dof, &self.sequenced);
+            let keep = member(a) == member(b) && between.iter().all(is_told);
+            known.extend(between.iter().filter(|dof| keep && is_known(simulation, **dof, &self.sequenced)));
+            keep
+        });
+        known.sort_unstable();
+        known.dedup();
+        Ok((clearance, known))
+    }
+
     /// The motions of all that is asked, over what is known beforehand.
     fn found(
         &mut self,
         asked: &[Asked],
         simulation: &Simulation,
-        known: &[usize],
+        (known, mut clearance): (&[usize], Clearance),
         duration: f64,
         node: &Node<'_>,
     ) -> Result<Found, Refused> {
@@ -153,14 +188,11 @@ impl SceneReader<'_> {
         let placed = Placed { workspace: Workspace::new(&tree), tree };
         let times = samples::times(asked, duration, beforehand.is_still()).map_err(whole)?;
         let mut samples = Samples::new(&layers, times, beforehand.is_still());
-        // What is followed is to be touched.
-        let followed: Vec<[usize; 2]> =
-            asked.iter().filter_map(|one| Some([one.link, one.what.followed()?])).collect();
-        let clearance = Clearance::new(figure, &samples.dofs(), &followed);
-        let mut clearance = clearance.map_err(|error| whole(error.to_string()))?;
         let times = samples.times.clone();
         let mut found = Layers::new(figure, &beforehand, &times, layers, placed);
-        let cuts = apart::keep(&mut clearance, &times, &mut found).map_err(whole)?;
+        let cuts = apart::keep(&mut clearance, &times, &mut found);
+        let place = |found: &Layers<'_>| found.failed.map_or_else(|| node.place(), |i| found.place(i));
+        let cuts = cuts.map_err(|why| (place(&found), why))?;
         let layers;
         (samples.positions, layers) = found.finish();
         let motion = samples.motion(figure, *simulation.gravity(), &beforehand, duration).map_err(whole)?;

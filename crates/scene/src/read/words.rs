@@ -10,7 +10,7 @@ const LET_GO: &str =
     "what holds for a time has until: 2.0, as Connect, Weld, Carry and Reach have, and is let go then";
 
 /// Each with what it is sought in, or beside, and what to write instead.
-pub(super) const OF_OTHERS: [(&str, &str, &str); 39] = [
+pub(super) const OF_OTHERS: [(&str, &str, &str); 38] = [
     ("Scene", "self_contact", COLLISIONS),
     ("Scene", "self_contacts", COLLISIONS),
     ("Scene", "self_collision", COLLISIONS),
@@ -33,7 +33,6 @@ pub(super) const OF_OTHERS: [(&str, &str, &str); 39] = [
     ("Scene", "integrator", METHOD),
     ("Scene", "fps", "write rate: 60"),
     ("Scene", "time", "write duration: 3.0"),
-    ("Scene", "figure", "write figures: {\"ann\": Human(height: 1.65, mass: 58)}"),
     ("Scene", "actuators", "write drives: {\"left_elbow.rx\": Servo(…)}"),
     ("Scene", "motors", "write drives: {\"left_elbow.rx\": Torque(…)}"),
     ("Scene", "joints", "where joints begin is start: {…}, and what moves them drives: {…}"),

@@ -81,6 +81,27 @@ fn what_is_far_apart_is_not_touched() {
     assert!((0..plain.len()).all(|k| plain.q(k) == kept.q(k) && plain.v(k) == kept.v(k)));
 }
 
+/// The other arm follows a curve, into where the hand is brought: what else moves is where it will be, and what cuts it there is said.
+#[test]
+fn what_else_moves_is_where_it_will_be() {
+    let scene = |clearance: f64| {
+        let text = format!(
+            "Scene(version: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73.0)}}, duration: 2.0, rate: 120.0,
+                start: {{\"root.ty\": 0.95, \"right_elbow.rx\": deg(-70), \"right_shoulder.rx\": deg(-40), \"left_elbow.rx\": deg(-90), \"left_shoulder.rz\": deg(20)}},
+                drives: {{\"*\": Frozen, \"left_shoulder.rx\": MinimumJerk(from: 0, to: deg(-45), duration: 1.0), \"left_shoulder.ry\": MinimumJerk(from: 0, to: deg(-50), duration: 1.0)}},
+                reaches: [Reach(tip: \"right_hand\", at: (0.0, -0.1, 0.0), by: [\"right_shoulder\", \"right_elbow\"], to: (0.0, 1.25, 0.3), over: 0.8,
+                    clearance: {clearance})])"
+        );
+        read(&text, &mut NoFiles).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let (plain, kept) = (scene(0.0), scene(0.005));
+    let (through, round) = (run(&plain), run(&kept));
+    let (near, apart) = (nearest(plain.figure(), &through), nearest(kept.figure(), &round));
+    assert!(near < -0.03 && apart > near, "{near} {apart}");
+    let said = kept.notes().join("\n");
+    assert!(said.contains("'left_forearm' and 'right_forearm' go into each other by"), "{said}");
+}
+
 #[test]
 fn what_cannot_be_kept_apart_is_said() {
     let scene = reach([0.0, 1.1, 0.05], 0.005);

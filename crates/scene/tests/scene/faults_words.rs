@@ -223,6 +223,19 @@ fn of_others() {
     insta::assert_snapshot!(text);
 }
 
+/// By impulses, which are what is usual for loops, points that begin apart are drawn together; a name of a letter is near to none.
+#[test]
+fn loops_may_begin_open_by_impulses() {
+    let open = "loops: [Connect(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0.1, 0))))]";
+    let text = listed(&[
+        open,
+        &format!("{open}, method: Impulses(step: 1e-3)"),
+        "pushes: [Push(link: \"h\", force: (1, 0, 0))]",
+    ]);
+    assert_eq!(text.matches("no fault").count(), 2, "{text}");
+    assert!(text.contains("has no link 'h'\n"), "{text}");
+}
+
 /// What is no fault and was hardly meant is noted.
 #[test]
 fn what_was_hardly_meant_is_noted() {
@@ -236,7 +249,7 @@ fn what_was_hardly_meant_is_noted() {
     for (fields, said) in [
         (
             "drives: {\"*\": Free}, ground: Flat(friction: 0.8)",
-            "begins 1.02 m in the ground, which throws it out: stand: true in the ground puts figures on it",
+            "begins 1.02 m in the ground: stand: true in the ground puts figures on it",
         ),
         ("method: Impulses(step: 10)", "a step of 10 s is cut to 1.667e-2 s, for 60 frames a second"),
         (

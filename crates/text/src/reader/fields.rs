@@ -104,12 +104,12 @@ impl Reader {
             Some(head) => {
                 let found = kinds.iter().find(|kind| **kind == head.name).copied();
                 if found.is_none() {
-                    let near = nearest(head.name, kinds.iter().copied());
-                    let hint = match &near {
-                        Some(near) => format!("did you mean '{near}'?"),
-                        None => self
-                            .explained(head.name, kinds)
-                            .map_or_else(|| format!("write {}", wanted()), str::to_owned),
+                    let explained = self.explained(head.name, kinds);
+                    let near = nearest(head.name, kinds.iter().copied()).filter(|_| explained.is_none());
+                    let hint = match (explained, &near) {
+                        (Some(explained), _) => explained.to_owned(),
+                        (None, Some(near)) => format!("did you mean '{near}'?"),
+                        (None, None) => format!("write {}", wanted()),
                     };
                     self.fault_meaning(head.span, format!("'{}' is not known here; {hint}", head.name), near);
                 }
@@ -137,14 +137,13 @@ impl Reader {
             let is_free = |field: &&str| fields.found.iter().all(|(other, _)| other.name != *field);
             self.expect(&named.span, ExpectedKind::Field, kind, known.iter().copied().filter(is_free));
             if !known.contains(&name) {
-                let near = nearest(name, known.iter().copied());
-                let hint = match &near {
-                    Some(near) => format!("did you mean '{near}'?"),
-                    None => match self.explained(name, &[kind]) {
-                        Some(explained) => explained.to_owned(),
-                        None if known.is_empty() => "it has none".to_owned(),
-                        None => format!("its fields are {}", known.join(", ")),
-                    },
+                let explained = self.explained(name, &[kind]);
+                let near = nearest(name, known.iter().copied()).filter(|_| explained.is_none());
+                let hint = match (explained, &near) {
+                    (Some(explained), _) => explained.to_owned(),
+                    (None, Some(near)) => format!("did you mean '{near}'?"),
+                    (None, None) if known.is_empty() => "it has none".to_owned(),
+                    (None, None) => format!("its fields are {}", known.join(", ")),
                 };
                 let message = format!("{kind} has no field '{name}'; {hint}");
                 self.fault_meaning(named.span.clone(), message, near);

@@ -17,6 +17,7 @@ pub(super) struct Kept<'a> {
     tree: Tree<f64>,
     nudges: Vec<Nudge>,
     positions: Vec<Vec<f64>>,
+    found: usize,
 }
 
 impl<'a> Kept<'a> {
@@ -30,7 +31,17 @@ impl<'a> Kept<'a> {
         let tree = Tree::new(figure, Vector3::zeros()).map_err(|error| error.to_string())?;
         let with_coordinate = |dof: &usize| Some((*dof, figure.layout().coordinate(*dof)?));
         let moves = dofs.iter().filter_map(with_coordinate).collect();
-        Ok(Self { figure, motion, moves, clearance, from, tree, nudges: Vec::new(), positions: Vec::new() })
+        Ok(Self {
+            figure,
+            motion,
+            moves,
+            clearance,
+            from,
+            tree,
+            nudges: Vec::new(),
+            positions: Vec::new(),
+            found: 0,
+        })
     }
 
     /// The motion with all that was added; nothing where nothing was.
@@ -75,6 +86,7 @@ impl<'a> Kept<'a> {
 impl Nudged for Kept<'_> {
     fn positions(&mut self) -> Result<&[Vec<f64>], String> {
         if self.positions.is_empty() {
+            self.found += 1;
             for (k, time) in self.motion.time().iter().enumerate() {
                 let mut q = self.motion.q(k).to_vec();
                 for nudge in &self.nudges {
@@ -87,6 +99,10 @@ impl Nudged for Kept<'_> {
             }
         }
         Ok(&self.positions)
+    }
+
+    fn found(&self) -> usize {
+        self.found
     }
 
     fn widest(&self) -> f64 {
@@ -102,8 +118,8 @@ impl Nudged for Kept<'_> {
         None
     }
 
-    fn span(&self, _: usize, _: &[usize]) -> (Option<f64>, f64) {
-        (self.from, f64::INFINITY)
+    fn until(&self, _: usize, _: &[usize]) -> f64 {
+        f64::INFINITY
     }
 
     /// What weighs little gives way: `W` is one over the inertia about each axis.
@@ -117,6 +133,9 @@ impl Nudged for Kept<'_> {
     ) -> Result<bool, String> {
         if detour {
             return Ok(false);
+        }
+        if let Some(from) = self.from {
+            nudge = nudge.not_before(from);
         }
         self.positions()?;
         let q = &self.positions[frame];

@@ -28,7 +28,7 @@ fn is_motion(step: &Step) -> bool {
 }
 
 /// Whether it stands still.
-pub(super) fn stands(steps: &[Step]) -> bool {
+pub(in crate::read) fn stands(steps: &[Step]) -> bool {
     steps.iter().all(|step| step.drive == Drive::Frozen)
 }
 

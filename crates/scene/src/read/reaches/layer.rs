@@ -100,6 +100,7 @@ impl<'a> Layer<'a> {
         detour: bool,
     ) -> Result<bool, String> {
         let Some(goal) = self.goals.get(&time.to_bits()).copied() else { return Ok(false) };
+        nudge = self.within(nudge);
         let slope = |dof: usize| slopes.iter().find(|(own, _)| *own == dof).map_or(0.0, |(_, slope)| *slope);
         let own: Vec<f64> = self.moves().map(|(dof, ..)| slope(dof)).collect();
         let by = by / (self.share_at(time) * nudge.at(time)[0].max(LEAST_SHARE));
@@ -152,9 +153,15 @@ impl<'a> Layer<'a> {
             return Ok(false);
         }
         way.iter_mut().for_each(|way| *way *= by / size);
+        nudge = self.within(nudge);
         nudge.by = way;
         self.nudges.push(nudge);
         Ok(true)
+    }
+
+    /// A nudge that has nothing before this begins, unless it begins as it is to be.
+    fn within(&self, nudge: Nudge) -> Nudge {
+        if self.asked.over > 0.0 { nudge.not_before(self.asked.from) } else { nudge }
     }
 
     /// How far the point is led from its way at a time (m).

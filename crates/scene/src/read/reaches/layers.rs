@@ -5,6 +5,7 @@ use super::layer::{Layer, Placed};
 use crate::read::apart::{Nudge, Nudged};
 use solaris_analysis::REACHED;
 use solaris_model::Figure;
+use std::ops::Range;
 
 /// The acceleration (rad/s²) that keeping links apart may take of a joint, besides four times what it has without.
 const SMOOTH: f64 = 100.0;
@@ -18,6 +19,9 @@ pub(super) struct Layers<'a> {
     placed: Placed,
     /// Nothing, where they are to be found anew.
     positions: Vec<Vec<f64>>,
+    found: usize,
+    /// What could not be found last, by index.
+    pub(super) failed: Option<usize>,
     /// Of the motion without what is added, how far points are off (m, rad), and the greatest acceleration.
     plain: Option<(f64, f64)>,
 }
@@ -30,7 +34,22 @@ impl<'a> Layers<'a> {
         layers: Vec<Layer<'a>>,
         placed: Placed,
     ) -> Self {
-        Self { figure, beforehand, times, layers, placed, positions: Vec::new(), plain: None }
+        Self {
+            figure,
+            beforehand,
+            times,
+            layers,
+            placed,
+            positions: Vec::new(),
+            found: 0,
+            failed: None,
+            plain: None,
+        }
+    }
+
+    /// Where what is asked stands in the text.
+    pub(super) fn place(&self, i: usize) -> Range<usize> {
+        self.layers[i].asked.place.clone()
     }
 
     /// The positions that were found last, and what found them.
@@ -66,16 +85,21 @@ impl<'a> Layers<'a> {
 impl Nudged for Layers<'_> {
     fn positions(&mut self) -> Result<&[Vec<f64>], String> {
         if self.positions.is_empty() {
+            self.found += 1;
             self.layers.iter_mut().for_each(Layer::rewind);
             for time in self.times {
                 let mut q = self.beforehand.positions(self.figure, *time);
-                for layer in &mut self.layers {
-                    layer.apply(&mut q, *time, &mut self.placed)?;
+                for (i, layer) in self.layers.iter_mut().enumerate() {
+                    layer.apply(&mut q, *time, &mut self.placed).inspect_err(|_| self.failed = Some(i))?;
                 }
                 self.positions.push(q);
             }
         }
         Ok(&self.positions)
+    }
+
+    fn found(&self) -> usize {
+        self.found
     }
 
     fn widest(&self) -> f64 {
@@ -91,10 +115,9 @@ impl Nudged for Layers<'_> {
         Some(self.beforehand.positions(self.figure, self.times[frame]))
     }
 
-    fn span(&self, frame: usize, dofs: &[usize]) -> (Option<f64>, f64) {
-        let Some(first) = self.at_work(frame, dofs).next() else { return (None, f64::INFINITY) };
-        let asked = self.layers[first].asked;
-        ((asked.over > 0.0).then_some(asked.from), asked.until + asked.back)
+    fn until(&self, frame: usize, dofs: &[usize]) -> f64 {
+        let ends = self.at_work(frame, dofs).map(|i| self.layers[i].asked.until + self.layers[i].asked.back);
+        ends.fold(f64::NEG_INFINITY, f64::max)
     }
 
     fn nudge(
@@ -107,10 +130,10 @@ impl Nudged for Layers<'_> {
     ) -> Result<bool, String> {
         let dofs: Vec<usize> = slopes.iter().map(|(dof, _)| *dof).collect();
         let at_work: Vec<usize> = self.at_work(frame, &dofs).collect();
+        let before = self.positions()?.to_vec();
         for i in at_work {
             for share in [1.0, 0.5, 0.25, 0.125] {
-                self.positions()?;
-                let at = (&*self.positions[frame], self.times[frame]);
+                let at = (&*before[frame], self.times[frame]);
                 if !self.layers[i].nudge(at, slopes, share * by, nudge.clone(), detour)? {
                     break;
                 }
@@ -120,7 +143,7 @@ impl Nudged for Layers<'_> {
                 }
                 // Too far for the limb.
                 self.layers[i].nudges.pop();
-                self.positions.clear();
+                self.positions.clone_from(&before);
             }
         }
         Ok(false)
