@@ -45,7 +45,7 @@ impl Pull {
     /// Room for so many that are loose.
     pub(super) fn make_room(&mut self, count: usize) {
         self.factors.resize(count * count, 0.0);
-        self.envelope = Envelope::full(count);
+        self.envelope.resize(count);
         self.changes.resize(count, 0.0);
     }
 
