@@ -88,6 +88,8 @@ impl Pull {
             let own = held.force + (held.damping + ahead * held.stiffness) * row.velocity;
             self.changes[i] = h * (-self.tau[row.dof] - own);
         }
+        // Something may have been tightened since room was made.
+        self.envelope.resize(n);
         self.envelope.factor(&mut self.factors);
         self.envelope.solve(&self.factors, &mut self.changes);
     }
