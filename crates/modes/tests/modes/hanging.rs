@@ -49,6 +49,32 @@ fn one_rod_swings_as_a_pendulum_does() {
     }
 }
 
+/// What has been tightened leaves nothing behind: the other rod moves as if it had hung alone from the beginning, to the bit.
+#[test]
+fn what_is_tightened_leaves_the_rest_as_if_it_had_never_hung() {
+    let figure = crane();
+    for (kept, other) in [("upper_joint", "lower_joint"), ("lower_joint", "upper_joint")] {
+        let begin = ([0.0, 0.0, 0.7, 0.3], [0.0; 4]);
+        let swung = |loose: &[&str], tight: Option<&str>| {
+            let mut hanging = Hanging::new(&figure, down()).expect("a figure");
+            let (mut q, mut v) = begin;
+            for joint in loose {
+                hanging.loosen(joint, &q, &v).expect("a joint");
+            }
+            for joint in tight {
+                hanging.tighten(joint).expect("a joint");
+            }
+            for _ in 0..120 {
+                hanging.step(1.0 / RATE, &mut q, &mut v, &[0.0; 4]).expect("a frame");
+            }
+            q.map(f64::to_bits)
+        };
+        let alone = swung(&[kept], None);
+        assert_eq!(swung(&[kept, other], Some(other)), alone, "{kept}");
+        assert_ne!(swung(&[kept, other], None), alone);
+    }
+}
+
 #[test]
 fn energy_stays_without_damping_and_falls_with_it() {
     let figure = crane();
