@@ -64,7 +64,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<(), CliError> {
         }
     });
     refused?;
-    let study = found.map_err(|error| refuse(path, SceneError::Run(error), scene.notes()))?;
+    let study = found.map_err(|error| refuse(path, &SceneError::Run(error), scene.notes()))?;
     outputs.write(|format, writer| write(format, writer, &study, &subject))?;
     drop(watching);
 

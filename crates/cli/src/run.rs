@@ -79,7 +79,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     check_bones(&outputs, &scene, &bones)?;
 
     let mut watcher = Watcher::new();
-    let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error, scene.notes()))?;
+    let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, &error, scene.notes()))?;
     watcher.writing();
     let ends = scene.simulation().loops().iter().map(|closed| closed.between.map(|anchor| anchor.link));
     let joined: Vec<[usize; 2]> = ends.filter_map(|[a, b]| Some([a?, b?])).collect();
@@ -139,13 +139,14 @@ fn check_size(path: &Path, scene: &Scene) -> Result<(), CliError> {
 }
 
 /// Why a scene has no motion.
-pub(crate) fn refuse(path: &Path, error: SceneError, notes: &[String]) -> CliError {
+pub(crate) fn refuse(path: &Path, error: &SceneError, notes: &[String]) -> CliError {
     if matches!(error, SceneError::Run(RunError::Cancelled)) {
         return CliError::input(path, &"the run was stopped");
     }
     // What was to be said of the scene may be why.
-    let notes: String = notes.iter().map(|note| format!("\n\nnote: {note}")).collect();
-    CliError::input(path, &format!("{error}{notes}"))
+    let said: Vec<String> =
+        std::iter::once(error.to_string()).chain(notes.iter().map(|note| format!("note: {note}"))).collect();
+    CliError::input(path, &said.join("\n\n"))
 }
 
 fn write(

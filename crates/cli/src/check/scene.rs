@@ -26,7 +26,7 @@ pub(crate) fn is_one(path: &Path) -> bool {
 pub(super) fn run(args: &CheckArgs) -> Result<(), CliError> {
     let path = args.file.as_path();
     let LoadedScene { scene, .. } = load(path)?;
-    scene.check().map_err(|error| refuse(path, error, scene.notes()))?;
+    scene.check().map_err(|error| refuse(path, &error, scene.notes()))?;
     let findings = scene.figure().lint();
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
     let facts = Facts::of(&scene);

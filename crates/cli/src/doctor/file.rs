@@ -84,7 +84,7 @@ impl Told {
             self.figure(scene.figure(), veil);
             self.counts.push(("files beside it", reads.len().saturating_sub(1)));
             self.find(&scene.figure().lint(), veil);
-            scene.check().map_err(|error| crate::run::refuse(path, error, scene.notes()))?;
+            scene.check().map_err(|error| crate::run::refuse(path, &error, scene.notes()))?;
         } else {
             let Body { figure, language, mut findings, .. } = input::body_in(path, None)?;
             self.what = Some(language.name());

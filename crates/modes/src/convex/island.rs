@@ -174,7 +174,9 @@ impl Island {
         for condition in self.conditions.iter().filter(|condition| condition.pushed.stiffness.is_some()) {
             let entries = &self.entries[condition.first..][..condition.count];
             let Some(first) = entries.iter().map(|(column, _)| *column).min() else { continue };
-            entries.iter().for_each(|(row, _)| self.of_hessian.reach(*row, first));
+            for (row, _) in entries {
+                self.of_hessian.reach(*row, first);
+            }
         }
     }
 

@@ -141,9 +141,7 @@ fn add_problem(
         }
         free[of[i]] = random.between(-3.0, 3.0);
     }
-    (0..1 + random.below(4))
-        .map(|_| of.iter().map(|row| (*row, random.vector(1.0).into())).collect())
-        .collect()
+    (0..=random.below(4)).map(|_| of.iter().map(|row| (*row, random.vector(1.0).into())).collect()).collect()
 }
 
 /// The velocities of problems, each a tree of its own, with these contacts.
@@ -160,7 +158,9 @@ fn solved(
     convex.begin(mass, &all, free, std::iter::repeat(0.0), |_| (0.0, 0.0));
     for contact in contacts {
         convex.condition();
-        contact.iter().for_each(|(column, rows)| convex.entry(*column, *rows));
+        for (column, rows) in contact {
+            convex.entry(*column, *rows);
+        }
         convex.contact([0.0; 3], 0.7, 1e-4, RIGID, 0.0, 1e-3);
     }
     convex.solve();

@@ -370,7 +370,9 @@ pub(super) fn way(slopes: &[f64], mut free: Vec<f64>, by: f64) -> Option<Vec<f64
     }
     let longest = free.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
     let scale = (by / gain).min(STRIDE / longest);
-    free.iter_mut().for_each(|way| *way *= scale);
+    for way in &mut free {
+        *way *= scale;
+    }
     Some(free)
 }
 

@@ -107,11 +107,13 @@ impl SceneReader<'_> {
 
     /// Says that there is no figure of this name, and which there are where none is near.
     pub(super) fn no_figure(&mut self, node: &Node<'_>, name: &str, names: &[&str]) {
-        let mut message = format!("there is no figure '{name}'");
-        if nearest(name, names.iter().copied()).is_none() {
+        let others = if nearest(name, names.iter().copied()).is_none() {
             let more = if names.len() > MOST_TOLD { ", …" } else { "" };
-            message += &format!("; there are {}{more}", names[..names.len().min(MOST_TOLD)].join(", "));
-        }
+            format!("; there are {}{more}", names[..names.len().min(MOST_TOLD)].join(", "))
+        } else {
+            String::new()
+        };
+        let message = format!("there is no figure '{name}'{others}");
         self.reader.unknown_name(node.span.clone(), &message, name, names.iter().copied());
     }
 }

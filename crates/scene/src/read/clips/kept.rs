@@ -74,11 +74,11 @@ impl<'a> Kept<'a> {
 
     /// Where a degree of freedom may be.
     fn limits(&self, dof: usize) -> [f64; 2] {
-        let joints = self.figure.links().iter().zip(self.figure.layout().joints());
+        let mut joints = self.figure.links().iter().zip(self.figure.layout().joints());
         let of = |(link, at): (&solaris_model::Link, &solaris_model::JointLayout)| {
             link.joint().kind().axes().get(dof.checked_sub(at.v)?).filter(|_| dof < at.v + at.nv)?.limits
         };
-        let limits = joints.filter_map(of).next();
+        let limits = joints.find_map(of);
         limits.map_or([f64::NEG_INFINITY, f64::INFINITY], |limits| [limits.lower, limits.upper])
     }
 }

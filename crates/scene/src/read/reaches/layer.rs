@@ -152,7 +152,9 @@ impl<'a> Layer<'a> {
         if size < 0.1 {
             return Ok(false);
         }
-        way.iter_mut().for_each(|way| *way *= by / size);
+        for way in &mut way {
+            *way *= by / size;
+        }
         nudge = self.within(nudge);
         nudge.by = way;
         self.nudges.push(nudge);

@@ -15,7 +15,7 @@ pub(super) struct Layers<'a> {
     figure: &'a Figure,
     beforehand: &'a Beforehand,
     times: &'a [f64],
-    layers: Vec<Layer<'a>>,
+    all: Vec<Layer<'a>>,
     placed: Placed,
     /// Nothing, where they are to be found anew.
     positions: Vec<Vec<f64>>,
@@ -31,14 +31,14 @@ impl<'a> Layers<'a> {
         figure: &'a Figure,
         beforehand: &'a Beforehand,
         times: &'a [f64],
-        layers: Vec<Layer<'a>>,
+        all: Vec<Layer<'a>>,
         placed: Placed,
     ) -> Self {
         Self {
             figure,
             beforehand,
             times,
-            layers,
+            all,
             placed,
             positions: Vec::new(),
             found: 0,
@@ -49,12 +49,12 @@ impl<'a> Layers<'a> {
 
     /// Where what is asked stands in the text.
     pub(super) fn place(&self, i: usize) -> Range<usize> {
-        self.layers[i].asked.place.clone()
+        self.all[i].asked.place.clone()
     }
 
     /// The positions that were found last, and what found them.
     pub(super) fn finish(self) -> (Vec<Vec<f64>>, Vec<Layer<'a>>) {
-        (self.positions, self.layers)
+        (self.positions, self.all)
     }
 
     /// How far points are off at most (m, rad), and the greatest acceleration that differences of positions tell (rad/s², m/s²).
@@ -68,15 +68,15 @@ impl<'a> Layers<'a> {
                 leap = leap.max(change.abs());
             }
         }
-        let off = self.layers.iter().map(|layer| layer.worst.0).fold(0.0, f64::max);
+        let off = self.all.iter().map(|layer| layer.worst.0).fold(0.0, f64::max);
         Ok((off, leap))
     }
 
     /// What is at work at a frame and moves one of these degrees of freedom.
     fn at_work(&self, frame: usize, dofs: &[usize]) -> impl Iterator<Item = usize> {
         let time = self.times[frame];
-        (0..self.layers.len()).filter(move |i| {
-            let layer = &self.layers[*i];
+        (0..self.all.len()).filter(move |i| {
+            let layer = &self.all[*i];
             layer.share_at(time) > 0.0 && layer.moves().any(|(dof, ..)| dofs.contains(&dof))
         })
     }
@@ -86,10 +86,10 @@ impl Nudged for Layers<'_> {
     fn positions(&mut self) -> Result<&[Vec<f64>], String> {
         if self.positions.is_empty() {
             self.found += 1;
-            self.layers.iter_mut().for_each(Layer::rewind);
+            self.all.iter_mut().for_each(Layer::rewind);
             for time in self.times {
                 let mut q = self.beforehand.positions(self.figure, *time);
-                for (i, layer) in self.layers.iter_mut().enumerate() {
+                for (i, layer) in self.all.iter_mut().enumerate() {
                     layer.apply(&mut q, *time, &mut self.placed).inspect_err(|_| self.failed = Some(i))?;
                 }
                 self.positions.push(q);
@@ -103,11 +103,11 @@ impl Nudged for Layers<'_> {
     }
 
     fn widest(&self) -> f64 {
-        self.layers.iter().map(|layer| layer.asked.clearance).fold(0.0, f64::max)
+        self.all.iter().map(|layer| layer.asked.clearance).fold(0.0, f64::max)
     }
 
     fn wanted(&self, frame: usize, dofs: &[usize]) -> f64 {
-        let asked = self.at_work(frame, dofs).map(|i| self.layers[i].asked.clearance);
+        let asked = self.at_work(frame, dofs).map(|i| self.all[i].asked.clearance);
         asked.filter(|clearance| *clearance > 0.0).fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -116,7 +116,7 @@ impl Nudged for Layers<'_> {
     }
 
     fn until(&self, frame: usize, dofs: &[usize]) -> f64 {
-        let ends = self.at_work(frame, dofs).map(|i| self.layers[i].asked.until + self.layers[i].asked.back);
+        let ends = self.at_work(frame, dofs).map(|i| self.all[i].asked.until + self.all[i].asked.back);
         ends.fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -134,7 +134,7 @@ impl Nudged for Layers<'_> {
         for i in at_work {
             for share in [1.0, 0.5, 0.25, 0.125] {
                 let at = (&*before[frame], self.times[frame]);
-                if !self.layers[i].nudge(at, slopes, share * by, nudge.clone(), detour)? {
+                if !self.all[i].nudge(at, slopes, share * by, nudge.clone(), detour)? {
                     break;
                 }
                 self.positions.clear();
@@ -142,7 +142,7 @@ impl Nudged for Layers<'_> {
                     return Ok(true);
                 }
                 // Too far for the limb.
-                self.layers[i].nudges.pop();
+                self.all[i].nudges.pop();
                 self.positions.clone_from(&before);
             }
         }
@@ -154,7 +154,7 @@ impl Nudged for Layers<'_> {
         let at_work: Vec<usize> = self.at_work(frame, dofs).collect();
         for i in at_work {
             let at = (&*self.positions[frame], self.times[frame]);
-            if self.layers[i].turn(at, by, nudge.clone())? {
+            if self.all[i].turn(at, by, nudge.clone())? {
                 self.positions.clear();
                 return Ok(true);
             }
@@ -169,11 +169,11 @@ impl Nudged for Layers<'_> {
     }
 
     fn added(&self) -> Vec<Vec<Nudge>> {
-        self.layers.iter().map(|layer| layer.nudges.clone()).collect()
+        self.all.iter().map(|layer| layer.nudges.clone()).collect()
     }
 
     fn put_back(&mut self, added: Vec<Vec<Nudge>>) {
-        for (layer, nudges) in self.layers.iter_mut().zip(added) {
+        for (layer, nudges) in self.all.iter_mut().zip(added) {
             layer.nudges = nudges;
         }
         self.positions.clear();
