@@ -29,6 +29,11 @@ impl Figure {
         pairs
     }
 
+    /// The links whose joints are on the way from one link to another: all of both chains down to what carries both.
+    pub fn way(&self, pair: [usize; 2]) -> impl Iterator<Item = usize> {
+        way(self.links(), pair)
+    }
+
     /// Of each link, the first that flies on the way to it from the root, itself included: by a free joint, or three slides of its own. Two
     /// of which these are not the same [fly apart](Self::fly_apart): in a scene, those of two figures.
     pub fn flyers(&self) -> Vec<Option<usize>> {

@@ -144,23 +144,14 @@ impl Clearance {
     }
 }
 
-/// The degrees of freedom that move two links against each other: those of all joints on the way from one to the other, and of those that
-/// they follow.
-fn way(figure: &Figure, [mut low, mut high]: [usize; 2]) -> Vec<usize> {
-    let (links, mut found) = (figure.links(), Vec::new());
-    while low != high {
-        if low > high {
-            (low, high) = (high, low);
-        }
-        // Parents have smaller indices: the greater of both is never above the other.
-        let joint = figure.layout().joints()[high];
-        for dof in joint.v..joint.v + joint.nv {
-            let leader = figure.followers().iter().find(|follower| follower.dof == dof);
-            found.push(leader.map_or(dof, |follower| follower.leader));
-        }
-        let Some(parent) = links[high].parent() else { break };
-        high = parent;
-    }
+/// The degrees of freedom that move two links against each other: those of all joints on the way from one to the other, or what they follow.
+fn way(figure: &Figure, pair: [usize; 2]) -> Vec<usize> {
+    let joints = figure.way(pair).map(|link| figure.layout().joints()[link]);
+    let leader = |dof: usize| {
+        let follower = figure.followers().iter().find(|follower| follower.dof == dof);
+        follower.map_or(dof, |follower| follower.leader)
+    };
+    let mut found: Vec<usize> = joints.flat_map(|joint| joint.v..joint.v + joint.nv).map(leader).collect();
     found.sort_unstable();
     found.dedup();
     found
