@@ -3,7 +3,7 @@
 use crate::error::FileError;
 use crate::files::Source;
 use crate::{motion, read};
-use solaris_io::record;
+use solaris_io::{CoordinateDefault, IoError, record};
 use solaris_model::text::first_word;
 use solaris_model::{Actuator, Figure, Motion, Tie, Vector3};
 use solaris_scene::{Loader, Scene};
@@ -104,10 +104,23 @@ impl Loader for Named<'_> {
         Ok(body.figure)
     }
 
-    fn motion(&mut self, name: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
+    fn motion(
+        &mut self,
+        name: &str,
+        figure: &Figure,
+        gravity: &Vector3<f64>,
+        dofs: &[usize],
+    ) -> Result<Motion, String> {
         let path = self.folder.join(name);
         let (table, _) = self.source.motion(&path, figure).map_err(|error| error.in_short())?;
-        let motion = record::read(figure, *gravity, &table).map_err(|error| error.to_string())?.motion;
+        let read = record::read_with_defaults(figure, *gravity, &table, &held(figure, dofs)?);
+        let motion = read.map_err(|error| match error {
+            IoError::MissingColumns { .. } => {
+                format!("{error}; or name what it moves: `dofs: [\"right_*\"]`")
+            }
+            error => error.to_string(),
+        });
+        let motion = motion?.motion;
         self.reads.push(path);
         Ok(motion)
     }
@@ -126,4 +139,23 @@ impl Loader for Named<'_> {
         self.reads.push(path);
         Ok(text)
     }
+}
+
+/// The coordinates of all but these degrees of freedom, of which a motion need not tell anything.
+fn held(figure: &Figure, dofs: &[usize]) -> Result<Vec<CoordinateDefault>, String> {
+    let layout = figure.layout();
+    let mut neutral = vec![0.0; layout.nq()];
+    figure.neutral(&mut neutral).map_err(|error| error.to_string())?;
+    let mut is_told = vec![false; layout.nq()];
+    for coordinate in dofs.iter().filter_map(|dof| layout.coordinate(*dof)) {
+        is_told[coordinate] = true;
+    }
+    let held = layout.q_names().iter().zip(neutral).zip(is_told).filter(|(_, is_told)| !is_told);
+    let held = held.map(|((name, value), _)| CoordinateDefault {
+        name: name.clone(),
+        value,
+        is_locked: true,
+        is_clamped: false,
+    });
+    Ok(held.collect())
 }

@@ -68,3 +68,33 @@ fn what_is_not_there_or_elsewhere_is_refused_by_name() {
     let elsewhere = body_in(&mjcf, Some(&repository("fixtures"))).expect_err("another folder");
     assert!(matches!(elsewhere, FileError::Folder { .. }), "{elsewhere}");
 }
+
+#[test]
+fn a_clip_needs_tell_of_what_follows_it_alone() {
+    let folder = std::env::temp_dir().join(format!("solaris-clip-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(folder.join("nod.csv"), "time,neck.rx.q\n0,0\n0.5,0.2\n1,0\n").expect("a motion");
+    let text = |dofs: &str| {
+        format!(
+            "Scene(version: 1, figures: {{\"ann\": Human(height: 1.7, mass: 60)}}, duration: 1.0, \
+             clip: Clip(file: \"nod.csv\"{dofs}))"
+        )
+    };
+    let path = folder.join("nod.ron");
+    fs::write(&path, text(", dofs: [\"neck.rx\"]")).expect("a scene");
+    let nods = scene(&path).expect("a scene whose person nods").scene;
+    let motion = nods.simulation().run(&nods.settings().clone()).expect("a run").motion;
+    let layout = nods.figure().layout();
+    let neck = layout.dof_index("neck.rx").and_then(|dof| layout.coordinate(dof)).expect("a neck");
+    let middle = motion.q(motion.len() / 2)[neck];
+    assert!((middle - 0.2).abs() < 1e-12, "{middle}");
+    // Nothing is left out of what does follow it.
+    fs::write(&path, text(", dofs: [\"neck.*\"]")).expect("a scene");
+    let refused = scene(&path).expect_err("no 'neck.ry'").to_string();
+    let has = |word: &str| refused.contains(word);
+    assert!(
+        has("neck.ry.q") && has("neck.rz.q") && !has("thorax") && has("or name what it moves"),
+        "{refused}"
+    );
+    fs::remove_dir_all(&folder).expect("it was made above");
+}

@@ -32,13 +32,20 @@ pub trait Loader {
         Err("loops in files are not read here".to_owned())
     }
 
-    /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown.
+    /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown. Only the degrees of freedom
+    /// `dofs` (indices in `v`) follow it: positions of others may be any.
     ///
     /// # Errors
     ///
     /// Why there is none, in a sentence that follows the path.
-    fn motion(&mut self, path: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
-        let _ = (path, figure, gravity);
+    fn motion(
+        &mut self,
+        path: &str,
+        figure: &Figure,
+        gravity: &Vector3<f64>,
+        dofs: &[usize],
+    ) -> Result<Motion, String> {
+        let _ = (path, figure, gravity, dofs);
         Err("motions in files are not read here".to_owned())
     }
 

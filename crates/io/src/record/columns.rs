@@ -125,11 +125,11 @@ impl Columns {
             let columns = strange.iter().take(MOST_COMPARED).map(|&place| table.columns[place].as_str());
             nearest(&names[q], columns).is_some()
         };
-        // A table of another figure is refused as such.
-        if free.len() * 2 > names.len() || free.iter().any(|&q| default(q).is_none() || is_misspelt(q)) {
-            return;
-        }
-        self.defaulted = missing.into_iter().filter_map(|q| Some((q, default(q)?.clone()))).collect();
+        // A table of another figure is refused as such, for what it does not have of what is not locked.
+        let is_other =
+            free.len() * 2 > names.len() || free.iter().any(|&q| default(q).is_none() || is_misspelt(q));
+        let taken = missing.into_iter().filter_map(|q| Some((q, default(q)?.clone())));
+        self.defaulted = taken.filter(|(_, default)| default.is_locked || !is_other).collect();
     }
 
     /// Refuses what is missing: positions, and parts of the velocities of ball and free joints.

@@ -1,6 +1,7 @@
 //! Motions that keep links apart: the least that is needed is added to them, for as long as it is needed.
 
 use super::SceneReader;
+use super::reaches::share;
 use nalgebra::Vector3;
 use solaris_analysis::{Clearance, NearnessError};
 use solaris_model::text::Fields;
@@ -77,15 +78,19 @@ impl Nudge {
     /// How much of it there is at a time (s), with its derivatives: 0 to 1.
     pub(super) fn at(&self, time: f64) -> [f64; 3] {
         if time < self.full {
-            let over = self.full - self.rises;
-            return share((time - self.rises) / over, over);
+            return Self::over(self.full - self.rises, time - self.rises);
         }
         if time <= self.falls {
             return [1.0, 0.0, 0.0];
         }
-        let over = self.gone - self.falls;
-        let [gone, rate, change] = share((time - self.falls) / over, over);
+        let [gone, rate, change] = Self::over(self.gone - self.falls, time - self.falls);
         [1.0 - gone, -rate, -change]
+    }
+
+    /// A change from 0 to 1 that takes so long (s), after a time (s), with its derivatives.
+    fn over(duration: f64, after: f64) -> [f64; 3] {
+        let [done, rate, change] = share(after / duration);
+        [done, rate / duration, change / (duration * duration)]
     }
 
     /// The same, but nothing of it before a time (s).
@@ -114,19 +119,6 @@ impl Nudge {
             detour: along,
         })
     }
-}
-
-/// A change of least jerk from 0 to 1 at a part `u` of its time `over` (s), with its derivatives.
-fn share(u: f64, over: f64) -> [f64; 3] {
-    if !(0.0..1.0).contains(&u) {
-        return [if u < 0.0 { 0.0 } else { 1.0 }, 0.0, 0.0];
-    }
-    let away = 1.0 - u;
-    [
-        u * u * u * (10.0 - u * (15.0 - 6.0 * u)),
-        30.0 * u * u * away * away / over,
-        60.0 * u * away * (1.0 - 2.0 * u) / (over * over),
-    ]
 }
 
 /// A motion at some times, to which nudges can be added.

@@ -59,7 +59,7 @@ impl SceneReader<'_> {
         let gravity = self.simulation.as_ref().map(|simulation| *simulation.gravity()).unwrap_or_default();
         let ((file, path), at, blend, from, to) = (path?, at?, blend?, from?, to?);
         let clearance = clearance?;
-        let motion = self.loader.motion(path, &figure, &gravity);
+        let motion = self.loader.motion(path, &figure, &gravity, &dofs);
         let motion = motion
             .and_then(|motion| differentiate(&figure, &motion, None).map_err(|error| error.to_string()));
         let motion = match motion {

@@ -23,6 +23,7 @@ use solaris_model::text::{Fields, Node};
 use solaris_modes::{Drive, EndCondition, RecordedMotion, Simulation, Step};
 use std::ops::Range;
 use std::sync::Arc;
+pub(super) use way::share;
 
 /// A fault, and its place.
 type Refused = (Range<usize>, String);

@@ -127,7 +127,7 @@ impl Loader for Recorded {
         Err("there is none".to_owned())
     }
 
-    fn motion(&mut self, _: &str, _: &Figure, _: &Vector3<f64>) -> Result<Motion, String> {
+    fn motion(&mut self, _: &str, _: &Figure, _: &Vector3<f64>, _: &[usize]) -> Result<Motion, String> {
         Ok(self.0.clone())
     }
 }

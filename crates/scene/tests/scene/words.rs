@@ -230,7 +230,13 @@ impl Loader for OneClip {
         Err("no figures".to_owned())
     }
 
-    fn motion(&mut self, path: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
+    fn motion(
+        &mut self,
+        path: &str,
+        figure: &Figure,
+        gravity: &Vector3<f64>,
+        _: &[usize],
+    ) -> Result<Motion, String> {
         if path != "slide.csv" {
             return Err("there is no such file".to_owned());
         }

@@ -84,7 +84,7 @@ impl<'a> Layer<'a> {
     /// How much of what is found its joints do at a time of the run (s): nothing before it begins, and after it has been given up.
     pub(super) fn share_at(&self, time: f64) -> f64 {
         let asked = self.asked;
-        let left = if time > asked.until { 1.0 - share((time - asked.until) / asked.back) } else { 1.0 };
+        let left = if time > asked.until { 1.0 - share((time - asked.until) / asked.back)[0] } else { 1.0 };
         if time < asked.from { 0.0 } else { asked.weight * left }
     }
 
@@ -195,7 +195,7 @@ impl<'a> Layer<'a> {
     /// where `q*` meets the goal, and `w` is the weight until it is given up and falls to zero after that.
     pub(super) fn apply(&mut self, q: &mut [f64], time: f64, placed: &mut Placed) -> Result<(), String> {
         let asked = self.asked;
-        let left = if time > asked.until { 1.0 - share((time - asked.until) / asked.back) } else { 1.0 };
+        let left = if time > asked.until { 1.0 - share((time - asked.until) / asked.back)[0] } else { 1.0 };
         if time < asked.from || left <= 0.0 {
             return Ok(());
         }
@@ -262,7 +262,7 @@ impl<'a> Layer<'a> {
         let detour = self.detour(time);
         let begun = self.begun.as_ref().ok_or("nothing has begun")?;
         let since = time - asked.from;
-        let s = if asked.over > 0.0 { share(since / asked.over) } else { 1.0 };
+        let s = if asked.over > 0.0 { share(since / asked.over)[0] } else { 1.0 };
         let spot = |spot: &Spot| match spot {
             Spot::Place(place) => *place,
             Spot::Of(link, point) => links.pose(*link).transform(point),
@@ -272,7 +272,7 @@ impl<'a> Layer<'a> {
             What::Along(keys) => {
                 let first = keys.first().map_or(asked.over, |(time, _)| *time);
                 let way = begun.way.as_ref().map_or(eye, |way| way.at(since));
-                Goal::Place(way + (eye - begun.place) * (1.0 - share(since / first)) + detour)
+                Goal::Place(way + (eye - begun.place) * (1.0 - share(since / first)[0]) + detour)
             }
             What::Look(axis, to) => {
                 let way = spot(to) - eye;

@@ -16,6 +16,8 @@ pub(super) struct Layers<'a> {
     beforehand: &'a Beforehand,
     times: &'a [f64],
     all: Vec<Layer<'a>>,
+    /// The coordinates that any of them moves.
+    moved: Vec<usize>,
     placed: Placed,
     /// Nothing, where they are to be found anew.
     positions: Vec<Vec<f64>>,
@@ -34,11 +36,16 @@ impl<'a> Layers<'a> {
         all: Vec<Layer<'a>>,
         placed: Placed,
     ) -> Self {
+        let mut moved: Vec<usize> =
+            all.iter().flat_map(Layer::moves).map(|(_, coordinate, _)| coordinate).collect();
+        moved.sort_unstable();
+        moved.dedup();
         Self {
             figure,
             beforehand,
             times,
             all,
+            moved,
             placed,
             positions: Vec::new(),
             found: 0,
@@ -57,14 +64,16 @@ impl<'a> Layers<'a> {
         (self.positions, self.all)
     }
 
-    /// How far points are off at most (m, rad), and the greatest acceleration that differences of positions tell (rad/s², m/s²).
+    /// How far points are off at most (m, rad), and the greatest acceleration that differences of positions tell of what is moved (rad/s²,
+    /// m/s²).
     fn roughness(&mut self) -> Result<(f64, f64), String> {
         self.positions()?;
         let mut leap = 0.0_f64;
         for (q, t) in self.positions.windows(3).zip(self.times.windows(3)) {
             let (before, after) = (t[1] - t[0], t[2] - t[1]);
-            for (x, (a, b)) in q[0].iter().zip(q[1].iter().zip(&q[2])) {
-                let change = ((b - a) / after - (a - x) / before) / (0.5 * (before + after));
+            for i in &self.moved {
+                let change = ((q[2][*i] - q[1][*i]) / after - (q[1][*i] - q[0][*i]) / before)
+                    / (0.5 * (before + after));
                 leap = leap.max(change.abs());
             }
         }

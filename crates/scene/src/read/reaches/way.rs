@@ -30,8 +30,11 @@ impl Way {
     }
 }
 
-/// How much of a change is done at a part `u` of its time, with the least jerk: 0 before, 1 after.
-pub(super) fn share(u: f64) -> f64 {
-    let u = u.clamp(0.0, 1.0);
-    u * u * u * (10.0 - u * (15.0 - 6.0 * u))
+/// How much of a change is done at a part `u` of its time, with the least jerk, and its first two derivatives by `u`: 0 before, 1 after.
+pub(crate) fn share(u: f64) -> [f64; 3] {
+    if !(0.0..1.0).contains(&u) {
+        return [if u < 0.0 { 0.0 } else { 1.0 }, 0.0, 0.0];
+    }
+    let left = 1.0 - u;
+    [u * u * u * (10.0 - u * (15.0 - 6.0 * u)), 30.0 * u * u * left * left, 60.0 * u * left * (1.0 - 2.0 * u)]
 }
