@@ -13,6 +13,7 @@ mod roles;
 mod skeleton;
 mod take;
 mod transfer;
+mod twist;
 
 pub use error::RetargetError;
 pub use map::BoneMap;

@@ -9,6 +9,7 @@ use crate::replant::{Footing, replant, stance_count};
 use crate::roles::Roles;
 use crate::skeleton::Skeleton;
 use crate::take::Take;
+use crate::twist::Twist;
 use solaris_model::{Placement, UnitQuaternion, Vector3};
 use std::ops::Range;
 
@@ -68,7 +69,8 @@ impl Moved {
 ///
 /// where `A` makes the rest poses alike: it lets arms, thighs and shanks point as the source's do, so that of a T pose the arms do not hang 45° off in
 /// an A pose, and turns feet about the vertical alone, so that soles stay flat. Local axes and their roll do not matter. Where trunk or neck have other
-/// numbers of bones, the turn of n bones, evenly one after the other, is shared out among m. What has no role stays in its parent as it is at rest.
+/// numbers of bones, the turn of n bones, evenly one after the other, is shared out among m. Twist bones between two joints of a limb share out how it turns
+/// about its own axis, by how far along they are. What else has no role stays in its parent as it is at rest.
 ///
 /// The middle of the hips goes as far as the source's, times the legs' ratio, and is as much lower than on straight legs. Where legs
 /// or feet are not alike, feet are planted anew: while a point of a sole (heel, ball or tip) stands in the source, it stands on the target, the foot
@@ -107,6 +109,15 @@ pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, R
         hips.push(footing.place(&middle(&take.roles, places)));
     }
     let replanted = replant(take, &body, &soles, &footing, &mut driven, &mut hips);
+    let mut twists = Twist::all(onto, roles, &rest);
+    if !twists.is_empty() {
+        for (turns, hips) in driven.iter_mut().zip(&hips) {
+            let places = body.places(turns, hips);
+            for (bone, turn) in twists.iter_mut().map(|twist| twist.turn(&rest, &places)) {
+                turns[bone] = Some(turn);
+            }
+        }
+    }
     let mut moved = moved(take, &body, &turn, &driven, &hips, replanted);
     if rounds.is_some() {
         moved.keep(given.len() - 1..2 * given.len() - 1);

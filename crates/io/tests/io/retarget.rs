@@ -9,7 +9,7 @@ use solaris_gait::{Extent, WalkRequest, walk};
 use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::glb::{self, Actor, Character, Options, read};
 use solaris_io::rig::{Rig, Rigged};
-use solaris_model::{Figure, Motion, human};
+use solaris_model::{Figure, Motion, MotionInfo, human};
 use solaris_retarget::{BoneMap, Moved, RetargetError, Roles, Skeleton, Take, retarget};
 
 fn walked(figure: &Figure) -> Motion {
@@ -360,6 +360,85 @@ fn several_clips_go_into_one_file() {
         assert_eq!(one.len(), other.len());
         for frame in 0..one.len() {
             assert_eq!(one.q(frame), other.q(frame), "{name}");
+        }
+    }
+}
+
+/// Rotations of a bone of `skeleton` in `moved`, as turns from its rest in its parent's.
+fn from_rest(skeleton: &Skeleton, moved: &Moved, name: &str) -> Vec<UnitQuaternion<f64>> {
+    let bone = skeleton.bones.iter().position(|bone| bone.name == name).expect("a bone");
+    let rest = |bone: usize| skeleton.bones[bone].rest.rotation;
+    let above = rest(skeleton.bones[bone].parent.expect("a parent"));
+    let (_, turns) = moved.turns.iter().find(|(of, _)| *of == bone).expect("it turns");
+    turns.iter().map(|turn| above * turn * rest(bone).inverse()).collect()
+}
+
+#[test]
+fn twist_bones_share_out_how_a_limb_turns_about_its_axis() {
+    // Somebody in a T pose turns the left hand about the forearm, past half a turn, and the left leg about itself by as much.
+    let ann = human(1.75, 73.0).expect("a person");
+    let source = Rigged::new(&ann, Rig::Vrm).expect("a rig").figure;
+    let layout = source.layout();
+    let mut standing = vec![0.0; layout.nq()];
+    source.neutral(&mut standing).expect("its length");
+    standing[1] = 0.95;
+    let angles: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
+    let mut q = Vec::new();
+    for by in &angles {
+        let mut row = standing.clone();
+        for (link, axis) in [("leftHand", Vector3::x()), ("leftUpperLeg", Vector3::y())] {
+            let at = layout.joints()[source.link_index(link).expect("a link")];
+            let turn = UnitQuaternion::from_scaled_axis(axis * *by);
+            row[at.q..at.q + 4].copy_from_slice(turn.coords.as_slice());
+        }
+        q.extend(row);
+    }
+    let time: Vec<f64> = (0..angles.len()).map(|k| k as f64 / 30.0).collect();
+    let zeros = vec![0.0; layout.nv() * time.len()];
+    let info = MotionInfo::on_earth(&source, 30.0);
+    let motion = Motion::new(&source, info, time, [q, zeros.clone(), zeros]).expect("a motion");
+    let rolls = take(&source, &motion);
+
+    let made = Made { arms: 0.8, legs: 0.15, rolled: true, twists: true, ..Made::default() };
+    let file = made.bytes();
+    let (_, moved, _) = onto(&file, &rolls);
+    let character = Character::read(&file, "hero").expect("a character");
+    let skeleton = character.skeleton();
+    let down = |angle: f64| Vector3::new(angle.sin(), -angle.cos(), 0.0);
+    let hand = from_rest(skeleton, &moved, "left_hand");
+    let fore = from_rest(skeleton, &moved, "left_forearm_twist");
+    let thigh = from_rest(skeleton, &moved, "left_thigh_twist");
+    // The file's numbers are f32.
+    for (k, by) in angles.iter().enumerate() {
+        // Half of it by the bone in the chain, which stands half way along, and the rest by the hand on it, which does not quite go on
+        // as the forearm does.
+        let half = UnitQuaternion::from_scaled_axis(down(0.8) * (0.5 * by));
+        assert!(angle(&fore[k], &half) < 5e-5, "frame {k}: {} rad", fore[k].angle());
+        assert!(angle(&hand[k], &half) < 0.02, "frame {k}: {} rad", hand[k].angle());
+        // The thigh turns by all of it, so the bone on it goes back by half, about y; from a stance with legs apart, by a little more or less.
+        let back = UnitQuaternion::from_scaled_axis(down(0.15) * (0.5 * by));
+        assert!(angle(&thigh[k], &back) < 0.02, "frame {k}: {} rad", thigh[k].angle());
+    }
+
+    // A walk goes its way as without them, and what they do goes on from frame to frame.
+    let walks = take(&ann, &walked(&ann));
+    let made = Made { rolled: false, ..made };
+    let (_, _, with) = onto(&made.bytes(), &walks);
+    let (_, _, without) = onto(&Made { twists: false, ..made }.bytes(), &walks);
+    let mut before: Option<Vec<UnitQuaternion<f64>>> = None;
+    for sample in 0..with.motion.len() {
+        let places = [&with, &without].map(|clip| clip.figure.places(clip.motion.q(sample)));
+        for (link, place) in without.figure.links().iter().zip(&places[1]) {
+            let own = places[0][with.figure.link_index(link.name()).expect("a bone")];
+            assert!((own.translation.vector - place.translation.vector).norm() < 1e-5, "{}", link.name());
+            assert!(angle(&own.rotation, &place.rotation) < 1e-5, "{}", link.name());
+        }
+        let turns: Vec<UnitQuaternion<f64>> = places[0].iter().map(|place| place.rotation).collect();
+        if let Some(before) = before.replace(turns.clone()) {
+            for ((link, a), b) in with.figure.links().iter().zip(&turns).zip(&before) {
+                let is_twist = link.name().ends_with("twist");
+                assert!(!is_twist || angle(a, b) < 0.2, "{} leaps in frame {sample}", link.name());
+            }
         }
     }
 }
