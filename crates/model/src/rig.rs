@@ -98,6 +98,25 @@ pub fn bones(names: &[&str]) -> Vec<Option<Bone>> {
     read.iter().map(bone).collect()
 }
 
+/// Whether a bone is one of those between two joints of a limb that share out how it turns about its own axis: `LeftForeArmRoll`,
+/// `thigh_twist_01_l`, `lShldrTwist`, MikuMikuDance's `左腕捩`. Whole words count: of a troll or a controller there is nothing to share.
+///
+/// ```
+/// use solaris_model::rig::is_twist;
+/// assert!(is_twist("mixamorig:LeftForeArmRoll") && !is_twist("Troll_LeftArm") && !is_twist("Roll:LeftArm"));
+/// ```
+pub fn is_twist(name: &str) -> bool {
+    let own = own(name);
+    let is_word =
+        |word: &str| matches!(word.trim_end_matches(|c: char| c.is_ascii_digit()), "twist" | "roll");
+    own.contains('捩') || words(own).into_iter().any(|range| is_word(&own[range].to_lowercase()))
+}
+
+/// A name without its namespace.
+fn own(name: &str) -> &str {
+    name.rsplit_once(':').map_or(name, |(_, own)| own)
+}
+
 /// Words for the thigh, and for the upper arm, that mean nothing else.
 const THIGH: [&str; 4] = ["upleg", "upperleg", "thigh", "femur"];
 const UPPER_ARM: [&str; 4] = ["arm", "upperarm", "uparm", "humerus"];
@@ -139,7 +158,7 @@ fn segment(word: &str, sided: bool, has: &impl Fn(&[&str]) -> bool) -> Option<Se
 /// The side that a name says, and its words without it, in small letters, without numbers and prefixes; no word where the
 /// bone is beside the body's own.
 fn side_and_word(name: &str) -> (Option<Side>, String) {
-    let own = name.rsplit_once(':').map_or(name, |(_, own)| own);
+    let own = own(name);
     let (mut side, mut word) = (None, String::new());
     for part in words(own).into_iter().map(|range| own[range].to_lowercase()) {
         let part = part.trim_end_matches(|c: char| c.is_ascii_digit());

@@ -109,13 +109,15 @@ pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, R
         hips.push(footing.place(&middle(&take.roles, places)));
     }
     let replanted = replant(take, &body, &soles, &footing, &mut driven, &mut hips);
-    let mut twists = Twist::all(onto, roles, &rest);
+    let mut twists = driven.first().map_or(Vec::new(), |driven| Twist::all(onto, roles, &rest, driven));
     if !twists.is_empty() {
-        for (turns, hips) in driven.iter_mut().zip(&hips) {
+        let mut before = take.time[0];
+        for ((turns, hips), time) in driven.iter_mut().zip(&hips).zip(&take.time) {
             let places = body.places(turns, hips);
-            for (bone, turn) in twists.iter_mut().map(|twist| twist.turn(&rest, &places)) {
+            for (bone, turn) in twists.iter_mut().map(|twist| twist.turn(&rest, &places, time - before)) {
                 turns[bone] = Some(turn);
             }
+            before = *time;
         }
     }
     let mut moved = moved(take, &body, &turn, &driven, &hips, replanted);

@@ -373,20 +373,18 @@ fn from_rest(skeleton: &Skeleton, moved: &Moved, name: &str) -> Vec<UnitQuaterni
     turns.iter().map(|turn| above * turn * rest(bone).inverse()).collect()
 }
 
-#[test]
-fn twist_bones_share_out_how_a_limb_turns_about_its_axis() {
-    // Somebody in a T pose turns the left hand about the forearm, past half a turn, and the left leg about itself by as much.
+/// Somebody in a T pose, each of these links turned about an axis by these angles (rad) at 30 frames a second.
+fn rolls(links: &[(&str, Vector3<f64>)], angles: &[f64]) -> Take {
     let ann = human(1.75, 73.0).expect("a person");
     let source = Rigged::new(&ann, Rig::Vrm).expect("a rig").figure;
     let layout = source.layout();
     let mut standing = vec![0.0; layout.nq()];
     source.neutral(&mut standing).expect("its length");
     standing[1] = 0.95;
-    let angles: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
     let mut q = Vec::new();
-    for by in &angles {
+    for by in angles {
         let mut row = standing.clone();
-        for (link, axis) in [("leftHand", Vector3::x()), ("leftUpperLeg", Vector3::y())] {
+        for (link, axis) in links {
             let at = layout.joints()[source.link_index(link).expect("a link")];
             let turn = UnitQuaternion::from_scaled_axis(axis * *by);
             row[at.q..at.q + 4].copy_from_slice(turn.coords.as_slice());
@@ -397,29 +395,55 @@ fn twist_bones_share_out_how_a_limb_turns_about_its_axis() {
     let zeros = vec![0.0; layout.nv() * time.len()];
     let info = MotionInfo::on_earth(&source, 30.0);
     let motion = Motion::new(&source, info, time, [q, zeros.clone(), zeros]).expect("a motion");
-    let rolls = take(&source, &motion);
+    take(&source, &motion)
+}
 
+#[test]
+fn twist_bones_share_out_how_a_limb_turns_about_its_axis() {
     let made = Made { arms: 0.8, legs: 0.15, rolled: true, twists: true, ..Made::default() };
     let file = made.bytes();
-    let (_, moved, _) = onto(&file, &rolls);
     let character = Character::read(&file, "hero").expect("a character");
     let skeleton = character.skeleton();
-    let down = |angle: f64| Vector3::new(angle.sin(), -angle.cos(), 0.0);
-    let hand = from_rest(skeleton, &moved, "left_hand");
-    let fore = from_rest(skeleton, &moved, "left_forearm_twist");
-    let thigh = from_rest(skeleton, &moved, "left_thigh_twist");
-    // The file's numbers are f32.
-    for (k, by) in angles.iter().enumerate() {
-        // Half of it by the bone in the chain, which stands half way along, and the rest by the hand on it, which does not quite go on
-        // as the forearm does.
-        let half = UnitQuaternion::from_scaled_axis(down(0.8) * (0.5 * by));
-        assert!(angle(&fore[k], &half) < 5e-5, "frame {k}: {} rad", fore[k].angle());
-        assert!(angle(&hand[k], &half) < 0.02, "frame {k}: {} rad", hand[k].angle());
-        // The thigh turns by all of it, so the bone on it goes back by half, about y; from a stance with legs apart, by a little more or less.
-        let back = UnitQuaternion::from_scaled_axis(down(0.15) * (0.5 * by));
-        assert!(angle(&thigh[k], &back) < 0.02, "frame {k}: {} rad", thigh[k].angle());
+    let arm =
+        |by: f64| UnitQuaternion::from_scaled_axis(Vector3::new(0.8_f64.sin(), -0.8_f64.cos(), 0.0) * by);
+    let leg =
+        |by: f64| UnitQuaternion::from_scaled_axis(Vector3::new(0.15_f64.sin(), -0.15_f64.cos(), 0.0) * by);
+    let angles: Vec<f64> = (0..30).map(|k| 0.1 * f64::from(k)).collect();
+    // What turns about itself (the arm's outwards, the leg's upwards), and by how much of it which bones do in their parents. Bones that
+    // stand beside the limb's axis, and legs of another stance, do it not quite.
+    let (out, up) = (Vector3::x(), Vector3::y());
+    let fore = "left_forearm";
+    let cases: [(_, _, &[(&str, f64)]); 5] = [
+        ("leftUpperArm", out, &[("left_upper_arm_twist", -0.75), (fore, 0.75)]),
+        ("leftLowerArm", out, &[("left_upper_arm_twist", 0.0), (fore, 1.0), ("left_forearm_twist", -0.5)]),
+        ("leftHand", out, &[("left_upper_arm_twist", 0.0), ("left_forearm_twist", 0.5), ("left_hand", 0.5)]),
+        ("leftUpperLeg", up, &[("left_thigh_twist", 0.5), ("left_shank_twist", 0.0)]),
+        ("leftFoot", up, &[("left_thigh_twist", 0.0), ("left_shank_twist", -0.75)]),
+    ];
+    for (turned, axis, expected) in cases {
+        let (_, moved, _) = onto(&file, &rolls(&[(turned, axis)], &angles));
+        for (name, share) in expected {
+            let turn = if axis == out { arm } else { leg };
+            for (by, found) in angles.iter().zip(from_rest(skeleton, &moved, name)) {
+                let off = angle(&found, &turn(share * by));
+                assert!(off < 0.05, "{name} while {turned} turns by {by} rad: off by {off} rad");
+            }
+        }
+        // Bones that are only called so stay as they are.
+        let named = |bone: &usize| skeleton.bones[*bone].name.contains("shield");
+        assert!(moved.turns.iter().all(|(bone, _)| !named(bone)));
     }
 
+    // A round of something ends as it begins, however often a limb turned in it.
+    let round: Vec<f64> = (0..=30).map(|k| std::f64::consts::TAU * f64::from(k) / 30.0).collect();
+    let (_, moved, _) = onto(&file, &rolls(&[("leftHand", out), ("leftUpperArm", out)], &round));
+    for name in ["left_forearm_twist", "left_upper_arm_twist", "left_hand", "left_forearm"] {
+        let turns = from_rest(skeleton, &moved, name);
+        let off = angle(&turns[0], &turns[30]);
+        assert!(off < 1e-3, "{name}: {off} rad");
+    }
+
+    let ann = human(1.75, 73.0).expect("a person");
     // A walk goes its way as without them, and what they do goes on from frame to frame.
     let walks = take(&ann, &walked(&ann));
     let made = Made { rolled: false, ..made };

@@ -23,7 +23,8 @@ pub(crate) struct Made {
     pub(crate) rolled: bool,
     /// Which way it looks (rad about the vertical).
     pub(crate) facing: f64,
-    /// Whether thighs have a twist bone beside and forearms one in the chain.
+    /// Whether limbs have twist bones: the arm's in the chain, at a quarter and at half, the leg's beside, at half and at three quarters; and whether
+    /// there are bones that are called so and are none.
     pub(crate) twists: bool,
 }
 
@@ -78,6 +79,13 @@ impl Made {
             let along = out(self.arms.sin(), -self.arms.cos(), 0.0);
             let arm = out(0.17, shoulder, 0.0);
             let upper_arm = add(of("upper_arm"), Some(clavicle), arm);
+            let mut upper_arm = upper_arm;
+            if self.twists {
+                let at = arm + along * (upper / 4.0) + out(0.0, 0.001, 0.002);
+                upper_arm = add(format!("{}_twist", of("upper_arm")), Some(upper_arm), at);
+                // A pauldron's, behind the shoulder.
+                add(format!("{}_shield_roll", of("upper_arm")), Some(upper_arm), arm - along * (upper / 4.0));
+            }
             let mut elbow = add(of("forearm"), Some(upper_arm), arm + along * upper);
             if self.twists {
                 elbow =
@@ -91,6 +99,9 @@ impl Made {
                 add(format!("{}_twist", of("thigh")), Some(leg), hip + down * (thigh / 2.0));
             }
             let knee = add(of("shank"), Some(leg), hip + down * thigh);
+            if self.twists {
+                add(format!("{}_twist", of("shank")), Some(knee), hip + down * (thigh + 0.75 * shank));
+            }
             let ankle = hip + down * (thigh + shank);
             let foot = add(of("foot"), Some(knee), ankle);
             add(of("toes"), Some(foot), Vector3::new(ankle.x, 0.02, 0.14));
