@@ -33,7 +33,7 @@ pub trait Loader {
     }
 
     /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown. Only the degrees of freedom
-    /// `dofs` (indices in `v`) follow it: positions of others may be any.
+    /// `dofs` (indices in `v`) follow it: what it says of others is not used.
     ///
     /// # Errors
     ///
