@@ -63,12 +63,12 @@ export interface Stride {
 // The middle one of all strides of a foot, from one strike to the next (s), of a foot of this side where one strikes twice; null where none does.
 export function stride(data: Data, side: string): Stride | null {
   const feet = [...data.feet].sort((a, b) => Number(b.side === side) - Number(a.side === side));
-  for (const { force, link, side } of feet) {
+  for (const { force, link, side, weight } of feet) {
     const size = (frame: number): number => Math.hypot(force[3 * frame], force[3 * frame + 1], force[3 * frame + 2]);
     const frames = data.time.length;
     let peak = 0;
     for (let i = 0; i < frames; i += 1) peak = Math.max(peak, size(i));
-    const least = BEARS * (data.weight ?? peak);
+    const least = BEARS * (weight ?? data.weight ?? peak);
     const strikes: number[] = [];
     for (let i = 1; i < frames; i += 1) if (size(i) > least && size(i - 1) <= least) strikes.push(i);
     if (strikes.length < 2) continue;

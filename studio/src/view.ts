@@ -57,7 +57,8 @@ export interface Data {
   positions: Float32Array;
   turns: Float32Array;
   com: Float32Array | null;
-  feet: { link: string; side: string; force: Float32Array; cop: Float32Array }[];
+  // `weight`: of the figure whose foot it is, where there are several.
+  feet: { link: string; side: string; weight?: number; force: Float32Array; cop: Float32Array }[];
   joints: { label: string; position: Quantity | null; effort: Quantity | null; power: Quantity | null }[];
   forces: (Quantity & { label: string })[];
 }

@@ -99,7 +99,7 @@ pub fn bones(names: &[&str]) -> Vec<Option<Bone>> {
 }
 
 /// Whether a bone is one of those between two joints of a limb that share out how it turns about its own axis: `LeftForeArmRoll`,
-/// `thigh_twist_01_l`, `lShldrTwist`, MikuMikuDance's `左腕捩`. Whole words count: of a troll or a controller there is nothing to share.
+/// `thigh_twist_01_l`, `lShldrTwist`, `左腕捩`. Whole words count: of a troll or a controller there is nothing to share.
 ///
 /// ```
 /// use solaris_model::rig::is_twist;

@@ -113,6 +113,11 @@ impl Scene {
         !self.members.is_empty()
     }
 
+    /// Of a scene with several figures, each alone, with its first link in the whole; of one with a single figure nothing.
+    pub fn parts(&self) -> impl Iterator<Item = (usize, &Figure)> {
+        self.members.iter().map(|member| (member.link, &member.figure))
+    }
+
     /// Of a scene with several figures, each with its part of a motion of all, such as [`Simulated::motion`]; of one with a single figure
     /// nothing.
     ///

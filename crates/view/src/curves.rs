@@ -3,6 +3,7 @@
 use crate::bands::Bands;
 use crate::draw::Side;
 use crate::error::{ViewError, finite};
+use crate::members::Members;
 use crate::pack::{Packed, ranged};
 use crate::world::World;
 use crate::{PageCurve, PageOptions};
@@ -65,33 +66,36 @@ struct Coordinate {
     tau: Option<usize>,
     sign: f64,
     turns: bool,
+    /// Of the figure that it belongs to (kg).
+    mass: f64,
 }
 
 /// The anatomical angles; for a figure without any, all one-axis degrees of freedom.
 fn coordinates(figure: &Figure) -> Vec<Coordinate> {
-    let layout = figure.layout();
+    let (layout, members) = (figure.layout(), Members::of(figure));
     let mut all = Vec::new();
-    for (link, joint) in figure.links().iter().zip(layout.joints()) {
+    for ((i, link), joint) in figure.links().iter().enumerate().zip(layout.joints()) {
+        let mass = members.mass(members.of_link(i));
         // The forces at a root that nothing holds are no joint's: they are what is left over.
         let floating = link.parent().is_none() && figure.root_is_free();
         // What follows another has nothing of its own to show.
         let own = |k: &usize| joint.nq == joint.nv && !figure.follows(joint.v + k);
         for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|(k, _)| own(k)) {
             let turns = dof.axis.kind == AxisKind::Rotation;
-            all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns));
+            all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns, mass));
         }
     }
     if figure.anatomical_angles().is_empty() {
-        let named = all.into_iter().map(|(v, q, tau, turns)| {
+        let named = all.into_iter().map(|(v, q, tau, turns, mass)| {
             let (side, name) = Side::split(&layout.v_names()[v]);
-            Coordinate { side, name, q, v, tau, sign: 1.0, turns }
+            Coordinate { side, name, q, v, tau, sign: 1.0, turns, mass }
         });
         return named.collect();
     }
     let find = |angle: &solaris_model::AnatomicalAngle| {
-        let &(v, q, tau, turns) = all.iter().find(|(v, ..)| *v == angle.dof)?;
+        let &(v, q, tau, turns, mass) = all.iter().find(|(v, ..)| *v == angle.dof)?;
         let (side, name) = Side::split(&angle.name);
-        Some(Coordinate { side, name, q, v, tau, sign: angle.sign, turns })
+        Some(Coordinate { side, name, q, v, tau, sign: angle.sign, turns, mass })
     };
     figure.anatomical_angles().iter().filter_map(find).collect()
 }
@@ -157,9 +161,9 @@ fn effort(
     chosen: &[usize],
     bands: &Bands<'_>,
 ) -> Result<Option<[Vec<Line>; 2]>, ViewError> {
-    let mass = figure.mass();
     let (mut lines, mut powers) = (Vec::new(), Vec::new());
     for coordinate in members {
+        let mass = coordinate.mass;
         let Some(index) = coordinate.tau.filter(|_| mass > 0.0) else { return Ok(None) };
         let mut values = Vec::with_capacity(chosen.len());
         let mut power = Vec::with_capacity(chosen.len());
@@ -187,31 +191,46 @@ fn words(name: &str) -> String {
 }
 
 /// Forces of each side, all its contacts together: upwards, forwards and to the left, in % of the body's weight, or in N
-/// where there is no weight. Empty without contacts.
+/// where there is no weight; of each figure by itself where there are several. Empty without contacts.
 pub(crate) fn forces(
+    figure: &Figure,
     motion: &Motion,
     chosen: &[usize],
     world: &World,
-    weight: Option<f64>,
+    members: &Members,
 ) -> Vec<ForceCurves> {
-    let mut sides: Vec<Side> = motion.contacts.iter().map(|track| Side::split(&track.link).0).collect();
-    sides.sort_unstable();
-    sides.dedup();
-    let of = |side: Side| motion.contacts.iter().filter(move |track| Side::split(&track.link).0 == side);
-    let (unit, factor) = weight.map_or(("N", 1.0), |weight| ("% BW", 100.0 / weight));
-    let components = [("Vertical force", 1), ("Force forwards", 2), ("Force to the left", 0)];
-    let curve = |component: usize| {
-        let line = |&side: &Side| {
-            let at = |sample: usize| {
-                let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
-                factor * of(side).map(force).sum::<f64>()
+    let owner = |track: &ContactTrack| figure.link_index(&track.link).map(|link| members.of_link(link));
+    let mut curves = Vec::new();
+    for (member, name) in members.names().iter().enumerate() {
+        let own: Vec<(Side, &ContactTrack)> = motion
+            .contacts
+            .iter()
+            .filter(|track| owner(track) == Some(member))
+            .map(|track| (Side::split(&track.link).0, track))
+            .collect();
+        let mut sides: Vec<Side> = own.iter().map(|(side, _)| *side).collect();
+        sides.sort_unstable();
+        sides.dedup();
+        if sides.is_empty() {
+            continue;
+        }
+        let weight = members.weight(member, motion.info.gravity.norm());
+        let (unit, factor) = weight.map_or(("N", 1.0), |weight| ("% BW", 100.0 / weight));
+        for (label, component) in [("Vertical force", 1), ("Force forwards", 2), ("Force to the left", 0)] {
+            let line = |&side: &Side| {
+                let of = own.iter().filter(|(own, _)| *own == side);
+                let at = |sample: usize| {
+                    let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
+                    factor * of.clone().map(|(_, track)| force(track)).sum::<f64>()
+                };
+                Line::new(side, &chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>())
             };
-            Line::new(side, &chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>())
-        };
-        Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() }
-    };
-    let shown = components.iter().filter(|_| !sides.is_empty());
-    shown.map(|&(label, component)| ForceCurves { label: label.to_owned(), plot: curve(component) }).collect()
+            let plot = Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() };
+            let of = if members.are_several() { format!(", {name}") } else { String::new() };
+            curves.push(ForceCurves { label: format!("{label}{of}"), plot });
+        }
+    }
+    curves
 }
 
 /// Curves of the caller's.
@@ -243,7 +262,7 @@ pub(crate) fn others(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use solaris_model::{MotionInfo, Vector3, human};
+    use solaris_model::{Contact, FigureBuilder, Joint, LinkSpec, MotionInfo, Placement, Vector3, human};
 
     /// A person with the left knee bent by 0.5 rad, and a moment of 73 N m at every dof.
     fn bent_knee() -> (Figure, Motion) {
@@ -290,6 +309,55 @@ mod tests {
         let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
         let tilt = curves.iter().find(|curve| curve.label == "Pelvis tilt").expect("a pelvis");
         assert_eq!((tilt.position.lines.len(), tilt.effort.as_ref()), (1, None));
+    }
+
+    #[test]
+    fn each_of_several_bears_its_own_weight() {
+        let [ann, bob] = [50.0, 100.0].map(|mass| {
+            let body = LinkSpec::root("body", Joint::free("root")).mass(mass / 2.0);
+            let arm = Joint::new("left_arm").rx();
+            let arm = LinkSpec::child("left_arm", "body", arm).mass(mass / 2.0);
+            FigureBuilder::new("it").link(body).link(arm).build().expect("a figure")
+        });
+        let at = Placement::identity();
+        let figure = Figure::together(&[("ann", &ann, at), ("bob", &bob, at)]).expect("two figures");
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        let mut q = vec![0.0; nq];
+        figure.neutral(&mut q).expect("its length");
+        let gravity = Vector3::new(0.0, -10.0, 0.0);
+        let info = MotionInfo { fingerprint: figure.fingerprint(), gravity, ground: None, rate: 60.0 };
+        let mut motion =
+            Motion::new(&figure, info, vec![0.0], [q, vec![0.0; nv], vec![0.0; nv]]).expect("finite");
+        motion.set_tau(vec![100.0; nv]).expect("one sample");
+        // Each stands on its body with its weight, and bob leans on an arm as well.
+        motion.contacts = [("ann.body", 500.0), ("bob.body", 1000.0), ("bob.left_arm", 250.0)]
+            .map(|(link, up)| {
+                let force = Vector3::new(0.0, up, 0.0);
+                ContactTrack { link: link.to_owned(), samples: vec![Contact { force, ..Contact::default() }] }
+            })
+            .to_vec();
+        let world = World::new(&gravity, None);
+        let members = Members::of(&figure);
+        let forces = forces(&figure, &motion, &[0], &world, &members);
+        let labels: Vec<&str> = forces.iter().map(|curve| curve.label.as_str()).collect();
+        assert_eq!((labels.len(), labels[0], labels[3]), (6, "Vertical force, ann", "Vertical force, bob"));
+        let share = |curve: usize, line: usize| {
+            let line = &forces[curve].plot.lines[line];
+            (line.side, line.values.unpack()[0].round())
+        };
+        assert_eq!(forces[0].plot.unit, "% BW");
+        assert_eq!(
+            [share(0, 0), share(3, 0), share(3, 1)].map(|(side, share)| (side == Side::Left, share)),
+            [(false, 100.0), (true, 25.0), (false, 100.0)]
+        );
+        assert_eq!(members.greatest_weight(10.0), Some(1000.0));
+        // Moments are per mass of whose they are, too.
+        let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
+        let arms: Vec<f64> = curves
+            .iter()
+            .filter_map(|curve| Some(curve.effort.as_ref()?.lines[0].values.unpack()[0]))
+            .collect();
+        assert_eq!(arms, [2.0, 1.0]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::curves::{self, ForceCurves, JointCurves};
 use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
 use crate::frames::{Frames, chosen};
+use crate::members::Members;
 use crate::pack::{Packed, floats, ranged, stepped};
 use crate::skin::{self, Skin};
 use crate::world::World;
@@ -38,6 +39,9 @@ struct Framed {
 struct Foot {
     link: String,
     side: Side,
+    /// Of the figure whose it is (N), where there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weight: Option<f64>,
     /// N, three a frame.
     force: Packed,
     /// m, three a frame, relative to the origin.
@@ -49,7 +53,7 @@ struct Foot {
 pub(crate) struct Data {
     version: u32,
     pub(crate) figure: String,
-    /// N; none without mass or gravity.
+    /// N, of the heaviest where there are several; none without mass or gravity.
     weight: Option<f64>,
     /// Where everything begins (m): whole metres, near the first frame, so that 32-bit floats do for a figure far away.
     origin: [f64; 3],
@@ -119,14 +123,18 @@ pub(crate) fn collect_bare(
     let camera = frames.camera(motion.relief.is_some());
     // Adding zero turns -0 into 0.
     let origin = camera.aim[0].trunc() + DVec3::ZERO;
-    let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
+    let (members, gravity) = (Members::of(figure), motion.info.gravity.norm());
+    let weight_of = |track: &ContactTrack| {
+        let link = figure.link_index(&track.link).filter(|_| members.are_several())?;
+        members.weight(members.of_link(link), gravity)
+    };
     let turns: Vec<f64> = frames.turns.iter().flat_map(DQuat::to_array).collect();
-    let mut forces = curves::forces(motion, &samples, &world, weight);
+    let mut forces = curves::forces(figure, motion, &samples, &world, &members);
     forces.extend(curves::others(motion, &samples, &options.curves)?);
     Ok(Data {
         version: VERSION,
         figure: figure.name().to_owned(),
-        weight,
+        weight: members.greatest_weight(gravity),
         origin: origin.into(),
         size: camera.size(),
         camera: Framed { half: camera.half.into(), aim: floats(from(&camera.aim, origin)) },
@@ -147,7 +155,11 @@ pub(crate) fn collect_bare(
         positions: ranged(&components(&frames.positions)),
         turns: stepped(&turns, TURN_STEP, 0.0),
         com: frames.com.as_ref().map(|com| ranged(&components(com))),
-        feet: motion.contacts.iter().map(|track| foot(track, &samples, &world, origin)).collect(),
+        feet: motion
+            .contacts
+            .iter()
+            .map(|track| Foot { weight: weight_of(track), ..foot(track, &samples, &world, origin) })
+            .collect(),
         joints: curves::joints(figure, motion, &samples, options)?,
         bands: options.bands.clone(),
         forces,
@@ -170,6 +182,7 @@ fn foot(track: &ContactTrack, samples: &[usize], world: &World, origin: DVec3) -
     Foot {
         link: track.link.clone(),
         side,
+        weight: None,
         force: ranged(&components(&force)),
         cop: floats(from(&cop, origin)),
     }

@@ -17,6 +17,7 @@ mod forces;
 mod frames;
 mod html;
 mod live;
+mod members;
 mod multiples;
 mod pack;
 mod postures;
@@ -177,6 +178,12 @@ pub fn page_by(
 /// whoever shows many motions of one person makes it once, and takes [`page_data_without_skin`].
 pub fn page_skin(figure: &Figure) -> Option<String> {
     body::body(figure).map(|body| body.to_json())
+}
+
+/// The skins of several people as [`page_data`] has them under `bodies`, as JSON; of more than a dozen none.
+pub fn page_skins(people: &[PagePerson]) -> String {
+    serde_json::to_string(&body::bodies(people))
+        .expect("plain data of finite numbers and text is always JSON")
 }
 
 /// [`page_data`] without the skin of a person, so that links are drawn by their shapes.

@@ -17,12 +17,21 @@ pub struct Figure {
     pub(crate) figure: model::Figure,
     pub(crate) gravity: Vector3<f64>,
     findings: Vec<String>,
+    /// The figures that it is made of, where it is several: each with its first link.
+    #[cfg(feature = "studio")]
+    pub(crate) parts: Vec<solaris::view::PagePerson>,
 }
 
 impl Figure {
     pub(crate) fn own(figure: model::Figure) -> Self {
         let gravity = figure.gravity().copied().unwrap_or(GRAVITY);
-        Self { figure, gravity, findings: Vec::new() }
+        Self {
+            figure,
+            gravity,
+            findings: Vec::new(),
+            #[cfg(feature = "studio")]
+            parts: Vec::new(),
+        }
     }
 }
 
@@ -59,7 +68,7 @@ impl Figure {
         let import = import.map_err(failed)?;
         let findings = import.findings.iter().map(ToString::to_string).collect();
         let figure = import.figure.with_gravity(import.gravity).map_err(failed)?;
-        Ok(Self { figure, gravity: import.gravity, findings })
+        Ok(Self { gravity: import.gravity, findings, ..Self::own(figure) })
     }
 
     /// Its text, which `Figure.fromText` reads back.

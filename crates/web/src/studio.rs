@@ -26,7 +26,7 @@ use crate::walk::WalkOptions;
 use serde_json::{Value, json};
 use solaris::gait::GaitOptions;
 use solaris::model::{AxisKind, Figure as Body, Ground, Motion, MotionInfo};
-use solaris::view::{PageOptions, page_data_without_skin, page_skin};
+use solaris::view::{PageOptions, PagePerson, page_data_without_skin, page_skin, page_skins};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 
@@ -61,9 +61,11 @@ pub fn walk_range(
 thread_local! {
     /// The person who was shown last, and the skin.
     static SKIN: RefCell<Option<(Body, Option<String>)>> = const { RefCell::new(None) };
+    /// The same of several people.
+    static SKINS: RefCell<Option<(Vec<PagePerson>, String)>> = const { RefCell::new(None) };
 }
 
-/// What a page holds of a motion, as JSON; `skinned`: with the skin of a person.
+/// What a page holds of a motion, as JSON; `skinned`: with the skins of people.
 pub(crate) fn shown_data(
     figure: &Body,
     motion: &Motion,
@@ -71,8 +73,12 @@ pub(crate) fn shown_data(
     skinned: bool,
 ) -> Result<String, JsError> {
     let data = page_data_without_skin(figure, motion, options).map_err(failed)?;
-    let skin = if skinned { skin_of(figure) } else { None };
-    Ok(skin.map_or_else(|| data.clone(), |skin| format!("{{\"body\":{skin},{}", &data[1..])))
+    let skin = match (skinned, &options.people[..]) {
+        (false, _) => None,
+        (true, []) => skin_of(figure).map(|skin| format!("\"body\":{skin}")),
+        (true, people) => Some(format!("\"bodies\":{}", skins_of(people))),
+    };
+    Ok(skin.map_or_else(|| data.clone(), |skin| format!("{{{skin},{}", &data[1..])))
 }
 
 /// The skin of a person as a page holds it, as JSON; none of other figures.
@@ -91,6 +97,19 @@ fn skin_of(figure: &Body) -> Option<String> {
     })
 }
 
+fn skins_of(people: &[PagePerson]) -> String {
+    SKINS.with_borrow_mut(|last| {
+        if let Some((who, skins)) = last.as_ref()
+            && who == people
+        {
+            return skins.clone();
+        }
+        let skins = page_skins(people);
+        *last = Some((people.to_vec(), skins.clone()));
+        skins
+    })
+}
+
 /// What a page shows of a figure that stands still, over a `ground` where there is one, to begin a picture with; `skinned`: with the skin of a
 /// person.
 fn still(figure: &Figure, q: &[f64], ground: Option<Ground>, skinned: bool) -> Result<String, JsError> {
@@ -98,7 +117,8 @@ fn still(figure: &Figure, q: &[f64], ground: Option<Ground>, skinned: bool) -> R
     let info = MotionInfo { gravity: figure.gravity, ground, ..MotionInfo::on_earth(&figure.figure, 60.0) };
     let states = [q.to_vec(), vec![0.0; nv], vec![0.0; nv]];
     let motion = Motion::new(&figure.figure, info, vec![0.0], states).map_err(failed)?;
-    shown_data(&figure.figure, &motion, &PageOptions::default(), skinned)
+    let options = PageOptions { people: figure.parts.clone(), ..PageOptions::default() };
+    shown_data(&figure.figure, &motion, &options, skinned)
 }
 
 /// The joints of a figure with their degrees of freedom.

@@ -36,7 +36,7 @@ export function makeForces(data, overlay) {
   const group = new Group();
   const peak = greatest(data.feet);
   const unit = data.size * Math.min(data.weight ? BODY_WEIGHT / data.weight : Infinity, LONGEST / peak);
-  const least = (LEAST * (data.weight ?? peak)) ** 2;
+  const least = ({ weight }) => (LEAST * (weight ?? data.weight ?? peak)) ** 2;
   const thickness = data.size / PERSON;
   const feet = data.feet.map((foot) => {
     // Seen through the leg: an arrow that starts under a foot would otherwise hide in it.
@@ -57,10 +57,10 @@ export function makeForces(data, overlay) {
   // Force and centre of pressure between two frames; a centre of pressure counts only where there is a force.
   function contact(foot, { index, next, fraction }) {
     const a = point.fromArray(foot.force, 3 * index);
-    const loadedA = a.lengthSq() > least;
+    const loadedA = a.lengthSq() > least(foot);
     force.copy(a).multiplyScalar(1 - fraction);
     const b = point.fromArray(foot.force, 3 * next);
-    const loadedB = b.lengthSq() > least;
+    const loadedB = b.lengthSq() > least(foot);
     force.addScaledVector(b, fraction);
     if (!loadedA && !loadedB) return false;
     const share = loadedA && loadedB ? fraction : loadedA ? 0 : 1;
@@ -95,7 +95,8 @@ export function makeForces(data, overlay) {
         entry.tip.copy(cop).addScaledVector(force, unit * 1.05);
         const size = force.length();
         entry.size = size;
-        entry.words.textContent = data.weight ? `${Math.round((100 * size) / data.weight)} % BW` : `${size.toFixed(0)} N`;
+        const weight = entry.foot.weight ?? data.weight;
+        entry.words.textContent = weight ? `${Math.round((100 * size) / weight)} % BW` : `${size.toFixed(0)} N`;
       }
     },
     // Puts the words at the arrows' heads, the greatest force's first; after the camera has moved.

@@ -131,6 +131,9 @@ impl Script {
         let scene = self.scene()?;
         let mut figure = Figure::own(scene.figure().clone());
         figure.gravity = *scene.simulation().gravity();
+        let part =
+            |(first, alone): (usize, &solaris::model::Figure)| PagePerson { first, figure: alone.clone() };
+        figure.parts = scene.parts().map(part).collect();
         Ok(figure)
     }
 
@@ -141,10 +144,7 @@ impl Script {
         let done = scene.simulate(&mut Telling { tell }).map_err(failed)?;
         let report = serde_json::to_string(&done.report).map_err(failed)?;
         let remarks = done.report.remarks.iter().map(ToString::to_string).collect();
-        let several = scene.several(&done.motion).map_err(failed)?;
-        let people = several.into_iter().map(|one| PagePerson { first: one.first, figure: one.alone });
-        let mut shown = Shown::new(self.figure()?, done.motion, scene.name().to_owned());
-        shown.options.people = people.collect();
+        let shown = Shown::new(self.figure()?, done.motion, scene.name().to_owned());
         Ok(Ran { shown: Some(shown), report, remarks })
     }
 

@@ -23,7 +23,8 @@ pub struct Shown {
 
 impl Shown {
     pub(crate) fn new(figure: Figure, motion: model::Motion, title: String) -> Self {
-        Self { figure, motion, options: PageOptions { title, ..PageOptions::default() } }
+        let people = figure.parts.clone();
+        Self { figure, motion, options: PageOptions { title, people, ..PageOptions::default() } }
     }
 }
 
