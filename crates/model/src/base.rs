@@ -3,7 +3,7 @@
 use crate::anatomy::AnatomicalAngle;
 use crate::figure::Figure;
 use crate::follower::followers;
-use crate::joint::{AxisKind, Dof, Joint, JointKind};
+use crate::joint::{Dof, Joint, JointKind};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::Link;
 
@@ -122,9 +122,7 @@ impl Figure {
     /// ```
     #[doc(alias = "floating base")]
     pub fn root_is_free(&self) -> bool {
-        let root = self.links[0].joint.kind();
-        let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
-        matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
+        self.links[0].joint.kind().is_floating()
     }
 
     /// Refuses the joint of a base whose names the rest of the figure has.

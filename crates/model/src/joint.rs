@@ -209,6 +209,13 @@ impl JointKind {
         })
     }
 
+    /// Whether it places what hangs on it, rather than hold it as a hinge does: it is free, or it slides along two axes at least and turns
+    /// besides.
+    pub fn is_floating(&self) -> bool {
+        let slides = self.slides().count();
+        matches!(self, Self::Free { .. }) || (slides >= 2 && self.axes().len() > slides)
+    }
+
     /// What the velocity coordinate `index` of this joint adds to the diagonal of the mass matrix (kg or kg m²).
     #[doc(alias = "rotor inertia")]
     #[doc(alias = "reflected inertia")]

@@ -8,7 +8,8 @@ use crate::pack::{Packed, ranged};
 use crate::world::World;
 use crate::{PageCurve, PageOptions};
 use serde::Serialize;
-use solaris_model::{AxisKind, ContactTrack, Figure, Motion};
+use solaris_model::{AnatomicalAngle, AxisKind, ContactTrack, Figure, Motion};
+use std::collections::HashSet;
 
 /// Values over the frames, of one side of the body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,6 +58,7 @@ const FIRST: [&str; 6] =
     ["hip.flexion", "knee.flexion", "ankle.dorsiflexion", "hip_flexion", "knee_angle", "ankle_angle"];
 
 /// A coordinate that is plotted.
+#[derive(Clone)]
 struct Coordinate {
     side: Side,
     name: String,
@@ -66,38 +68,40 @@ struct Coordinate {
     tau: Option<usize>,
     sign: f64,
     turns: bool,
-    /// Of the figure that it belongs to (kg).
+    /// The figure that it belongs to, and its mass (kg).
+    member: usize,
     mass: f64,
+    /// Whether it is an anatomical angle.
+    is_angle: bool,
 }
 
-/// The anatomical angles; for a figure without any, all one-axis degrees of freedom.
-fn coordinates(figure: &Figure) -> Vec<Coordinate> {
-    let (layout, members) = (figure.layout(), Members::of(figure));
+/// The anatomical angles; of a figure without any, all one-axis degrees of freedom.
+fn coordinates(figure: &Figure, members: &Members) -> Vec<Coordinate> {
+    let layout = figure.layout();
     let mut all = Vec::new();
     for ((i, link), joint) in figure.links().iter().enumerate().zip(layout.joints()) {
-        let mass = members.mass(members.of_link(i));
+        let member = members.of_link(i);
         // The forces at a root that nothing holds are no joint's: they are what is left over.
-        let floating = link.parent().is_none() && figure.root_is_free();
+        let floating = members.is_root(link) && link.joint().kind().is_floating();
         // What follows another has nothing of its own to show.
         let own = |k: &usize| joint.nq == joint.nv && !figure.follows(joint.v + k);
         for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|(k, _)| own(k)) {
-            let turns = dof.axis.kind == AxisKind::Rotation;
-            all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns, mass));
+            let (v, q) = (joint.v + k, joint.q + k);
+            let (side, name) = Side::split(&layout.v_names()[v]);
+            let (tau, turns) = ((!floating).then_some(v), dof.axis.kind == AxisKind::Rotation);
+            let mass = members.mass(member);
+            all.push(Coordinate { side, name, q, v, tau, sign: 1.0, turns, member, mass, is_angle: false });
         }
     }
-    if figure.anatomical_angles().is_empty() {
-        let named = all.into_iter().map(|(v, q, tau, turns, mass)| {
-            let (side, name) = Side::split(&layout.v_names()[v]);
-            Coordinate { side, name, q, v, tau, sign: 1.0, turns, mass }
-        });
-        return named.collect();
-    }
-    let find = |angle: &solaris_model::AnatomicalAngle| {
-        let &(v, q, tau, turns, mass) = all.iter().find(|(v, ..)| *v == angle.dof)?;
+    let find = |angle: &AnatomicalAngle| {
+        let found = all.iter().find(|coordinate| coordinate.v == angle.dof)?;
         let (side, name) = Side::split(&angle.name);
-        Some(Coordinate { side, name, q, v, tau, sign: angle.sign, turns, mass })
+        Some(Coordinate { side, name, sign: angle.sign, is_angle: true, ..found.clone() })
     };
-    figure.anatomical_angles().iter().filter_map(find).collect()
+    let angles: Vec<Coordinate> = figure.anatomical_angles().iter().filter_map(find).collect();
+    let with_angles: HashSet<usize> = angles.iter().map(|angle| angle.member).collect();
+    all.retain(|coordinate| !with_angles.contains(&coordinate.member));
+    angles.into_iter().chain(all).collect()
 }
 
 /// Angles in degrees (slides in m) and moments in N m/kg (forces in N/kg), left and right of a name together, with the bands
@@ -114,7 +118,8 @@ pub(crate) fn joints(
 ) -> Result<Vec<JointCurves>, ViewError> {
     let angle_bands = Bands::checked(options.angle_bands.as_deref(), "angle", figure, motion)?;
     let moment_bands = Bands::checked(options.moment_bands.as_deref(), "moment", figure, motion)?;
-    let coordinates = coordinates(figure);
+    let members = Members::of(figure);
+    let coordinates = coordinates(figure, &members);
     let mut names: Vec<&str> = Vec::new();
     for coordinate in &coordinates {
         if !names.contains(&coordinate.name.as_str()) {
@@ -122,10 +127,11 @@ pub(crate) fn joints(
         }
     }
     // A person's pelvis stands where the anatomical angles have it; any other root comes last.
-    let by_axes = figure.anatomical_angles().is_empty();
-    let is_residual = |name: &str| by_axes && coordinates.iter().any(|c| c.name == name && c.tau.is_none());
+    let is_residual =
+        |name: &str| coordinates.iter().any(|c| c.name == name && c.tau.is_none() && !c.is_angle);
     names.sort_by_key(|name| {
-        let first = FIRST.iter().position(|first| name.starts_with(first)).map(|place| place % 3);
+        let own = name.split_once('.').filter(|_| members.are_several()).map_or(*name, |(_, own)| own);
+        let first = FIRST.iter().position(|first| own.starts_with(first)).map(|place| place % 3);
         first.unwrap_or(if is_residual(name) { 4 } else { 3 })
     });
     let mut curves = Vec::new();

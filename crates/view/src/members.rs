@@ -1,6 +1,6 @@
 //! The figures that one is made of: each bears its own weight.
 
-use solaris_model::Figure;
+use solaris_model::{Figure, Link};
 
 /// The parts of what [`Figure::together`] made, or the figure itself.
 pub(crate) struct Members {
@@ -36,6 +36,11 @@ impl Members {
             members.of.push(member);
         }
         members
+    }
+
+    /// Whether a link is the root of one of them.
+    pub(crate) fn is_root(&self, link: &Link) -> bool {
+        link.parent().is_none_or(|parent| self.are_several() && parent == 0)
     }
 
     pub(crate) fn are_several(&self) -> bool {
