@@ -128,6 +128,9 @@ fn told(out: &mut dyn Write, Done { name, moved, .. }: &Done, onto: &Skeleton) -
         moved.time.len(),
         moved.turns.len()
     )?;
+    if done.belt > 0.0 {
+        writeln!(out, "in place, over ground that goes by at {:.2} m/s", done.belt)?;
+    }
     let slides = format!(
         "what stands slides by {:.1} mm at the most ({:.1} mm in the clip)",
         done.slide * 1000.0,

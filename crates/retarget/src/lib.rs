@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod align;
+mod belt;
 mod error;
 mod feet;
 mod heading;

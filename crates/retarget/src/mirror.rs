@@ -23,6 +23,9 @@ impl Take {
             *point = back * across(&(turn * *point));
         }
         self.frames.iter_mut().flatten().for_each(|at| *at = place(at));
+        if let Some(belt) = &mut self.belt {
+            belt.velocity = across(&belt.velocity);
+        }
         self.roles.sides.swap(0, 1);
         self.stands.iter_mut().for_each(|stands| stands.swap(0, 1));
         self.soles = Sole::both(&self.skeleton, &self.roles, &self.heading);

@@ -9,7 +9,7 @@ pub(crate) type Stands = [bool; 3];
 /// A point that moves slower than this (m/s) stands, of somebody whose ankles are 0.1 m up; swinging feet go twenty times as fast.
 const SLOW: f64 = 0.1;
 /// Times on both sides over which a velocity is taken (s): longer than a camera's noise, shorter than a step.
-const WINDOW: f64 = 0.04;
+pub(crate) const WINDOW: f64 = 0.04;
 /// A stance is no shorter than this (s).
 const SHORT: f64 = 0.06;
 
@@ -43,7 +43,8 @@ pub(crate) fn planted(
     stands
 }
 
-fn slow(soles: &[Sole; 2], time: &[f64], frames: &[Vec<Placement>]) -> Vec<[Stands; 2]> {
+/// The points that hardly move.
+pub(crate) fn slow(soles: &[Sole; 2], time: &[f64], frames: &[Vec<Placement>]) -> Vec<[Stands; 2]> {
     let points: Vec<[[Vector3<f64>; 3]; 2]> =
         frames.iter().map(|places| soles.each_ref().map(|sole| sole.at(places))).collect();
     let count = time.len();

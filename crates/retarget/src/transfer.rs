@@ -22,7 +22,9 @@ pub struct Replanted {
     pub stances: usize,
     /// Whether legs and feet are alike but for their size, so that nothing was to be planted anew.
     pub is_alike: bool,
-    /// How far a point that stands is from its mean place on the target, at the most (m).
+    /// How fast the ground goes by on the target, where the clip is one in place (m/s); else zero.
+    pub belt: f64,
+    /// How far a point that stands is from its mean place on the target, at the most, seen from that ground (m).
     pub slide: f64,
     /// The same in the source (m).
     pub slid: f64,
@@ -75,14 +77,16 @@ impl Moved {
 /// The middle of the hips goes as far as the source's, times the legs' ratio, and is as much lower than on straight legs. Where legs
 /// or feet are not alike, feet are planted anew: while a point of a sole (heel, ball or tip) stands in the source, it stands on the target, the foot
 /// rolling over them in turn; the foot keeps its rotation, and knee and hip bring the ankle to its place. In between the difference goes over
-/// smoothly. Where legs would not reach, the pelvis is lowered. What ends in the posture in which it begins does so on the target, too.
+/// smoothly. Where legs would not reach, the pelvis is lowered. What ends in the posture in which it begins does so on the target, too, and so does what
+/// ends a frame before it. Who walks in place has ground that goes by: where the feet hardly ever stand, but do on ground of one velocity, they stand on that,
+/// times the legs' ratio.
 ///
 /// # Errors
 ///
 /// A target that does not stand in its rest pose.
 pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, RetargetError> {
     let rounds = given.rounds();
-    let take = rounds.as_ref().unwrap_or(given);
+    let take = rounds.as_ref().map_or(given, |(rounds, _)| rounds);
     let turn = heading(onto, roles)?;
     let rest: Vec<Placement> = onto.bones.iter().map(|bone| turn * bone.rest).collect();
     let from: Vec<Placement> = take.skeleton.bones.iter().map(|bone| take.heading * bone.rest).collect();
@@ -121,10 +125,17 @@ pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, R
         }
     }
     let mut moved = moved(take, &body, &turn, &driven, &hips, replanted);
-    if rounds.is_some() {
-        moved.keep(given.len() - 1..2 * given.len() - 1);
+    if let Some((_, round)) = rounds {
+        moved.keep(round..round + given.len());
         moved.time.clone_from(&given.time);
         moved.replanted.stances = stance_count(given);
+    }
+    if let Some(belt) = &given.belt {
+        let back = |way: Vector3<f64>| turn.inverse() * (way * scale);
+        for (time, place) in moved.time.iter().zip(&mut moved.root.1) {
+            *place += back(belt.way(*time));
+        }
+        moved.replanted.belt = scale * belt.velocity.norm();
     }
     Ok(moved)
 }

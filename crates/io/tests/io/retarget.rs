@@ -297,6 +297,63 @@ fn what_goes_round_and_round_does_so_on_other_legs() {
     }
 }
 
+#[test]
+fn who_walks_in_place_stands_on_ground_that_goes_by() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let request = WalkRequest { extent: Extent::Steps(60), ..WalkRequest::default() };
+    let plan = walk(&ann, &request).expect("a walk");
+    let stride = plan.stride_loop().expect("a middle stride");
+    // A whole number of frames.
+    let lasts = stride.motion(&ann, 60.0).expect("a motion").time().last().copied().expect("frames");
+    let round = stride.motion(&ann, 66.0 / lasts).expect("a motion");
+    assert_eq!(round.len(), 67);
+    let (time, last) = (round.time(), round.len() - 1);
+    let speed = (round.q(last)[2] - round.q(0)[2]) / (time[last] - time[0]);
+    // The same, held back by the mean speed, of which nothing is said, with its last frame and without it.
+    let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
+    let in_place = |frames: usize| {
+        let mut q: Vec<f64> = (0..frames).flat_map(|frame| round.q(frame).to_vec()).collect();
+        for (frame, row) in q.chunks_mut(nq).enumerate() {
+            row[2] -= speed * (time[frame] - time[0]);
+        }
+        let zeros = vec![0.0; nv * frames];
+        let info = MotionInfo::on_earth(&ann, 60.0);
+        let motion = Motion::new(&ann, info, time[..frames].to_vec(), [q, zeros.clone(), zeros]);
+        take(&ann, &motion.expect("a motion"))
+    };
+    let (closed, open) = (in_place(round.len()), in_place(last));
+    for (what, made) in strangers() {
+        let (_, whole, _) = onto(&made.bytes(), &closed);
+        let (_, moved, _) = onto(&made.bytes(), &open);
+        let done = moved.replanted;
+        assert!((done.belt - speed * done.scale).abs() < 0.01, "{what}: {} m/s", done.belt);
+        // Points that roll over the ground slide as in the clip.
+        assert!(
+            done.stances >= 2 && done.slide < 1.5 * done.slid + 1e-6 && done.slid < 0.002,
+            "{what}: {done:?}"
+        );
+        // Back where it began, but for what a frame goes by; and feet stand on the way round as they do with the last frame.
+        let way = (moved.root.1[last - 1] - moved.root.1[0]).norm();
+        assert!(way < 0.02, "{what}: {way} m");
+        let file = made.bytes();
+        let character = Character::read(&file, "hero").expect("a character");
+        for ((bone, turns), (_, with)) in moved.turns.iter().zip(&whole.turns) {
+            let bone = &character.skeleton().bones[*bone].name;
+            for (frame, (a, b)) in turns.iter().zip(with).enumerate() {
+                let off = a.angle_to(b);
+                assert!(off < 0.01, "{what}, {bone}, frame {frame}: {off} rad");
+            }
+        }
+        // Left and right alike.
+        let (_, image, _) = onto(&made.bytes(), &open.clone().mirrored());
+        assert!(
+            (image.replanted.belt - done.belt).abs() < 1e-9
+                && (image.replanted.slide - done.slide).abs() < 1e-6,
+            "{what}"
+        );
+    }
+}
+
 /// On whoever is alike on both sides, what left does in the mirror image is what right does without it.
 #[test]
 fn a_mirror_image_turns_the_other_way() {
