@@ -69,8 +69,9 @@ fn velocity(soles: &[Sole; 2], time: &[f64], frames: &[Vec<Placement>]) -> Optio
         let lowest = points.iter().map(|of| of[side][i].y).fold(f64::INFINITY, f64::min);
         let most = lowest + LOW * soles[side].ankle.max(1e-6);
         let mut from = 0;
-        for to in 0..points.len() {
-            while time[to] - time[from] > WINDOW {
+        for to in 1..points.len() {
+            // One frame at least, however few there are in a second.
+            while time[to] - time[from] > WINDOW && from + 1 < to {
                 from += 1;
             }
             let lasts = time[to] - time[from];
