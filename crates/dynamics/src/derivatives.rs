@@ -199,7 +199,7 @@ impl<const N: usize> Derivatives<N> {
         slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
         if invert(plain, workspace, q, &mut partials.by_input)? {
             return wide::<f64, _>(
-                #[cfg_attr(not(target_family = "wasm"), inline(always))]
+                #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
                 || self.divide(),
             );
         }
@@ -209,7 +209,7 @@ impl<const N: usize> Derivatives<N> {
     }
 
     /// `∂a/∂q = −M⁻¹·∂τ/∂q` and `∂a/∂v = −M⁻¹·∂τ/∂v`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn divide(&mut self) -> Result<&Partials, DynamicsError> {
         let sum = if self.related.len() > MANY * self.plain.nv() { self.solve() } else { self.multiply() };
         if !sum.is_finite() {
@@ -222,7 +222,7 @@ impl<const N: usize> Derivatives<N> {
     }
 
     /// The quotients by the recursion, each column for itself; the sum of all entries.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn solve(&mut self) -> f64 {
         let Self {
             plain: tree,
@@ -239,7 +239,7 @@ impl<const N: usize> Derivatives<N> {
     }
 
     /// The quotients as products with the inverse; the sum of all entries.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn multiply(&mut self) -> f64 {
         let n = self.plain.nv();
         let Partials { by_q, by_v, by_input, .. } = &mut self.partials;
@@ -481,7 +481,7 @@ struct Product<'a> {
 
 impl Product<'_> {
     /// Puts `W` entries of each product, from `at` on and with the sign changed, into their places; the sum of all of them.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn negated<const W: usize>(&self, at: usize, to: &mut [&mut [f64]; 2]) -> f64 {
         let (n, [first, second]) = (to[0].len(), self.factors);
         let mut products = [[0.0; W]; 2];

@@ -75,13 +75,13 @@ pub fn forward_dynamics<T: Scalar>(
     a: &mut [T],
 ) -> Result<(), DynamicsError> {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || forward(tree, workspace, q, v, tau, external, a),
     )
 }
 
 /// [`forward_dynamics`], compiled into whatever asks it.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn forward<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -188,7 +188,7 @@ pub fn inverse_mass_matrix<T: Scalar>(
 }
 
 /// Of no degree of freedom is the acceleration prescribed.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn nothing(_: usize) -> bool {
     false
 }
@@ -207,13 +207,13 @@ pub(crate) fn set_state<T: Scalar>(
     external: &[(usize, Wrench<T>)],
 ) -> Result<(), DynamicsError> {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || take_state(tree, workspace, q, v, external),
     )
 }
 
 /// Takes in the state and all that acts besides forces along degrees of freedom.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn take_state<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -243,7 +243,7 @@ pub(crate) fn check_given<T: Scalar>(
 }
 
 /// Accelerations that are not finite, and where they come from.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn check_accelerations<T: Scalar>(
     tree: &Tree<T>,
     workspace: &Workspace<T>,

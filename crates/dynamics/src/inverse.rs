@@ -78,13 +78,13 @@ pub fn inverse_dynamics<T: Scalar>(
     tau: &mut [T],
 ) -> Result<(), DynamicsError> {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || inverse(tree, workspace, q, v, a, external, tau),
     )
 }
 
 /// [`inverse_dynamics`], compiled into whatever asks it.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn inverse<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -137,7 +137,7 @@ pub fn bias_forces<T: Scalar>(
 }
 
 /// Motion of every link and what it takes, from the root outwards.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn outward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let parent = body.parent.map(|parent| &ws.motions[parent]);
@@ -185,7 +185,7 @@ struct FrameMotion<T> {
 }
 
 /// Motion of the joint's frame before its first degree of freedom.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn at_joint<T: Scalar>(
     body: &Body<T>,
     parent: Option<&LinkMotion<T>>,
@@ -219,7 +219,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// α ← Rᵀα + Rᵀω × e·q̇ + e·q̈      ω ← Rᵀω + e·q̇      a ← Rᵀa
     /// ```
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, rate: T, acceleration: T) {
         let angular = e.enter(self.angular, turn);
         let rotated = e.enter(self.angular_acceleration, turn) + e.crossed(&angular, rate);
@@ -234,7 +234,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// a ← Rᵀ(a + α × d + ω × (ω × d)) + 2·Rᵀω × u + w × u + u̇      α ← Rᵀα + Rᵀω × w + ẇ      ω ← Rᵀω + w
     /// ```
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn fly(&mut self, sphere: &Pose<T>, v: &[T], a: &[T]) {
         let enter = |v: &Vector3<T>| apply_transposed(&sphere.rotation, v);
         let angular = enter(&self.angular);
@@ -257,7 +257,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// a ← a + α × e·q + ω × (ω × e·q + 2·e·q̇) + e·q̈
     /// ```
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn slide<E: Direction<T>>(&mut self, e: E, slide: Moved<T>, rate: T, acceleration: T) {
         let carried = e.add(e.crossed(&self.angular, slide.s), rate + rate);
         let turned = e.crossed(&self.angular_acceleration, slide.s) + cross(&self.angular, &carried);
@@ -266,7 +266,7 @@ impl<T: Scalar> FrameMotion<T> {
 }
 
 /// `K = [α]× + [ω]×²`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn field<T: Scalar>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
     let (w, d) = (angular, acceleration);
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
@@ -281,7 +281,7 @@ pub(crate) fn field<T: Scalar>(angular: &Vector3<T>, acceleration: &Vector3<T>) 
 }
 
 /// What moves the mass of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn inertial_load<T: Scalar>(distribution: &MassDistribution<T>, a: &Vector3<T>, k: &Matrix3<T>) -> Load<T> {
     let Load { force, moment } = centrifugal_load(distribution, k);
     let m = distribution.mass;
@@ -292,7 +292,7 @@ fn inertial_load<T: Scalar>(distribution: &MassDistribution<T>, a: &Vector3<T>, 
 
 /// What keeps the mass of one link on its way about its origin: `f = K·h` and `n = ∫ r × K·r dm`, the antisymmetric part
 /// of `K·∫ r·rᵀ dm`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn centrifugal_load<T: Scalar>(distribution: &MassDistribution<T>, k: &Matrix3<T>) -> Load<T> {
     let s = &distribution.second;
     let (x, y, z) = ([k.m11, k.m12, k.m13], [k.m21, k.m22, k.m23], [k.m31, k.m32, k.m33]);
@@ -306,7 +306,7 @@ pub(crate) fn centrifugal_load<T: Scalar>(distribution: &MassDistribution<T>, k:
 }
 
 /// Takes what acts from outside off what the joints have to carry.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn apply_external<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -320,7 +320,7 @@ pub(crate) fn apply_external<T: Scalar>(
 }
 
 /// The same for links that are placed.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn apply_placed<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -356,7 +356,7 @@ fn refuse<T: Scalar>(
 }
 
 /// Collects the loads towards the root and reads the joints' forces on the way.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     ws.base = Load::zero();
     for (i, body) in tree.bodies.iter().enumerate().rev() {
@@ -395,17 +395,17 @@ fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     }
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn first_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     Vector3::new(values[0], values[1], values[2])
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn last_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     first_three(&values[values.len() - 3..])
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn check_forces<T: Scalar>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
     if are_finite(tau) {
         return Ok(());

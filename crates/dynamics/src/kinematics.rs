@@ -89,13 +89,13 @@ pub fn velocities<T: Scalar>(
 /// Places the links from the positions kept; also keeps axes and arms in world axes.
 pub(crate) fn place<T: Scalar>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || place_links(tree, workspace),
     )
 }
 
 /// [`place`], compiled into whatever asks it.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn place_links<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -152,7 +152,7 @@ pub(crate) fn place_links<T: Scalar>(
     })
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn is_finite<T: Scalar>(v: &Vector3<T>) -> bool {
     v.x.is_finite() & v.y.is_finite() & v.z.is_finite()
 }

@@ -65,7 +65,7 @@ pub struct Twist<T> {
 
 impl<T: Scalar> Twist<T> {
     /// Rest.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub fn zero() -> Self {
         Self { linear: Vector3::zeros(), angular: Vector3::zeros() }
     }

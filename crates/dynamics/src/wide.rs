@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 
 /// Runs `f` with all that is compiled into it written in the best instructions that the machine has, if `T` gains by them.
 #[cfg(all(target_arch = "x86_64", feature = "dispatch"))]
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
     use std::arch::is_x86_feature_detected as has;
 
@@ -35,7 +35,7 @@ pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
 /// Runs `f`.
 #[cfg(not(all(target_arch = "x86_64", feature = "dispatch")))]
 #[allow(clippy::extra_unused_type_parameters, reason = "what gains by wider instructions is asked elsewhere")]
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
     f()
 }

@@ -114,7 +114,7 @@ pub(crate) struct Flow<T> {
 }
 
 impl<T: Scalar> Flow<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn zero() -> Self {
         Self { first: Vector3::zeros(), second: Matrix3::zeros() }
     }
@@ -217,7 +217,7 @@ impl<T: Scalar> Workspace<T> {
     }
 
     /// What the last three turns of a joint with a triple have done.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn last_three(&self, body: &Body<T>) -> [Moved<T>; 3] {
         let from = body.q + (body.single_end - body.first);
         let pairs = &self.moved[from..][..3];
@@ -228,13 +228,13 @@ impl<T: Scalar> Workspace<T> {
     /// Checks `q`, and keeps what each degree of freedom does at it.
     pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
         wide::<T, _>(
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             || self.take_positions(tree, q),
         )
     }
 
     /// [`set_positions`](Self::set_positions), compiled into whatever asks it.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn take_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
         let fits = self.poses.len() == tree.link_count()
             && self.axes.len() == tree.nv()
@@ -272,7 +272,7 @@ impl<T: Scalar> Workspace<T> {
 }
 
 /// Refuses a slice of the wrong length and one that is not finite.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn check<T: Scalar>(
     what: &'static str,
     values: &[T],
@@ -299,7 +299,7 @@ fn not_finite<T: Scalar>(
 }
 
 /// Whether all are finite. Without an early exit the loop runs in vector registers.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn are_finite<T: Scalar>(values: &[T]) -> bool {
     let mut finite = true;
     for value in values {
@@ -309,7 +309,7 @@ pub(crate) fn are_finite<T: Scalar>(values: &[T]) -> bool {
 }
 
 /// Refuses a quaternion that is no rotation; tells its squared length.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn check_quaternion<T: Scalar>(
     quaternion: &[T; 4],
     name: impl Fn() -> String,
@@ -328,7 +328,7 @@ fn no_rotation<T: Scalar>(squared: T, name: impl Fn() -> String) -> Result<T, Dy
 }
 
 /// Refuses the wrong length.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), DynamicsError> {
     if found == expected { Ok(()) } else { Err(DynamicsError::Length { what, expected, found }) }
 }

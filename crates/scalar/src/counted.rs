@@ -102,7 +102,8 @@ fn count(change: impl FnOnce(&mut Operations)) {
 impl Add for Counted {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn add(self, other: Self) -> Self {
         count(added);
         Self(self.0 + other.0)
@@ -112,7 +113,8 @@ impl Add for Counted {
 impl Sub for Counted {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn sub(self, other: Self) -> Self {
         count(added);
         Self(self.0 - other.0)
@@ -122,7 +124,8 @@ impl Sub for Counted {
 impl Mul for Counted {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn mul(self, other: Self) -> Self {
         count(multiplied);
         Self(self.0 * other.0)
@@ -132,7 +135,8 @@ impl Mul for Counted {
 impl Div for Counted {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn div(self, other: Self) -> Self {
         count(divided);
         Self(self.0 / other.0)
@@ -142,7 +146,8 @@ impl Div for Counted {
 impl Neg for Counted {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn neg(self) -> Self {
         Self(-self.0)
     }

@@ -104,7 +104,8 @@ impl Add for DoubleDouble {
     type Output = Self;
 
     /// Right to 3·2⁻¹⁰⁶ of the sum, even where the terms cancel.
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn add(self, other: Self) -> Self {
         let (high, rest) = two_sum(self.high, other.high);
         let (low, least) = two_sum(self.low, other.low);
@@ -116,7 +117,8 @@ impl Add for DoubleDouble {
 impl Sub for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -125,7 +127,8 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn mul(self, other: Self) -> Self {
         let (high, rest) = two_prod(self.high, other.high);
         let across = self.low.mul_add(other.high, self.high.mul_add(other.low, self.low * other.low));
@@ -137,7 +140,8 @@ impl Div for DoubleDouble {
     type Output = Self;
 
     /// One step of long division: the quotient of the high parts, then that of what it leaves.
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn div(self, other: Self) -> Self {
         let quotient = self.high / other.high;
         let taken = other * Self::from_f64(quotient);
@@ -149,7 +153,8 @@ impl Div for DoubleDouble {
 impl Neg for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn neg(self) -> Self {
         Self { high: -self.high, low: -self.low }
     }

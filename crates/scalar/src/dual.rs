@@ -89,12 +89,12 @@ impl<const N: usize> Dual<N> {
     }
 }
 
-// Where a program is sent before it is run, its size counts: there these are calls, elsewhere they are written out.
+// Where a program is sent before it is run, or compiled again and again, its size counts: there these are calls, elsewhere they are written out.
 impl<const N: usize> Add for Dual<N> {
     type Output = Self;
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(target_family = "wasm"), inline)]
+    #[cfg_attr(any(target_family = "wasm", debug_assertions), inline(never))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, partials: from_fn(|i| self.partials[i] + other.partials[i]) }
     }
@@ -103,8 +103,8 @@ impl<const N: usize> Add for Dual<N> {
 impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(target_family = "wasm"), inline)]
+    #[cfg_attr(any(target_family = "wasm", debug_assertions), inline(never))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline)]
     fn sub(self, other: Self) -> Self {
         Self { value: self.value - other.value, partials: from_fn(|i| self.partials[i] - other.partials[i]) }
     }
@@ -114,8 +114,8 @@ impl<const N: usize> Sub for Dual<N> {
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(target_family = "wasm"), inline)]
+    #[cfg_attr(any(target_family = "wasm", debug_assertions), inline(never))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline)]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);
         Self { value: x * y, partials: from_fn(|i| x * other.partials[i] + self.partials[i] * y) }
@@ -127,8 +127,8 @@ impl<const N: usize> Div for Dual<N> {
     type Output = Self;
 
     /// With z = x/y: ż = (ẋ − z·ẏ)/y.
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(target_family = "wasm"), inline)]
+    #[cfg_attr(any(target_family = "wasm", debug_assertions), inline(never))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline)]
     fn div(self, other: Self) -> Self {
         let (y, z) = (other.value, self.value / other.value);
         Self { value: z, partials: from_fn(|i| (self.partials[i] - z * other.partials[i]) / y) }
@@ -138,8 +138,8 @@ impl<const N: usize> Div for Dual<N> {
 impl<const N: usize> Neg for Dual<N> {
     type Output = Self;
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(target_family = "wasm"), inline)]
+    #[cfg_attr(any(target_family = "wasm", debug_assertions), inline(never))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline)]
     fn neg(self) -> Self {
         Self { value: -self.value, partials: self.partials.map(Neg::neg) }
     }

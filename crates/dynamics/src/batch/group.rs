@@ -217,17 +217,17 @@ impl<R: Register> Groups<R> {
         let Kernel { tree, workspace, q, v, given, sought, external, slopes } = &mut self.together;
         if operation == Operation::Forward {
             return self.token.run(
-                #[cfg_attr(not(target_family = "wasm"), inline(always))]
+                #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
                 || forward(tree, workspace, q, v, given, external, &mut sought.value).is_ok(),
             );
         }
         let is_solved = self.token.run(
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             || inverse(tree, workspace, q, v, given, external, &mut sought.value).is_ok(),
         );
         match slopes {
             Some(slopes) if is_solved && operation == Operation::InverseDerivatives => self.token.run(
-                #[cfg_attr(not(target_family = "wasm"), inline(always))]
+                #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
                 || slopes.differentiate(tree, workspace, v, given, external, sought).is_ok(),
             ),
             _ => is_solved,
@@ -251,7 +251,7 @@ impl<R: Register> Solver<R::Lane> for Groups<R> {
         for first in outputs[0].range.clone().step_by(R::LANES) {
             let Self { token, together, squares, .. } = self;
             token.run(
-                #[cfg_attr(not(target_family = "wasm"), inline(always))]
+                #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
                 || together.pack(inputs, first, squares),
             );
             // States that lie in memory take as long to come as others to be solved.
@@ -266,7 +266,7 @@ impl<R: Register> Solver<R::Lane> for Groups<R> {
             let Self { token, together, squares: [_, vector, matrix], .. } = self;
             for (i, (output, found)) in outputs.iter_mut().zip(together.found()).enumerate() {
                 token.run(
-                    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+                    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
                     || output.unpack(first, found, if i == 0 { vector } else { matrix }),
                 );
             }
@@ -288,7 +288,7 @@ impl<R: Register> Solver<R::Lane> for Groups<R> {
 
 impl<R: Register> Kernel<R, 1> {
     /// Takes the states from `first` on.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn pack(&mut self, inputs: &States<'_, R::Lane>, first: usize, [q, v, _]: &[Vec<usize>; 3]) {
         let States { q: positions, v: velocities, given, .. } = inputs;
         let all: [(&Columns<'_, _>, _, _); 3] =
@@ -307,7 +307,7 @@ impl<R: Register> Kernel<R, 1> {
 }
 
 /// The wrenches of the states from `first` on, one a lane.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn side_by_side<R: Register>(wrenches: &[Wrench<R::Lane>], first: usize, last: usize) -> Wrench<R> {
     let mut packed: Wrench<R> = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
     for lane in 0..R::LANES {

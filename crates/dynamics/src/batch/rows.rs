@@ -35,7 +35,7 @@ pub(super) struct Columns<'a, F> {
 impl<F: Copy> Columns<'_, F> {
     /// Packs the states from `first` on, one a lane, in [`squares`] without a gap, if there are any; the last stands in for those that are
     /// not there.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(super) fn pack<R: Register<Lane = F>>(&self, first: usize, packed: &mut [R], squares: &[usize]) {
         let last = self.states - 1;
         match self.layout {
@@ -164,7 +164,7 @@ impl<'a, F: Copy + Zero> Output<'a, F> {
 
     /// Writes the lanes of the states from `first` on, in [`squares`], if there are any, the last of which ends with the last entry; those
     /// beyond the range are left out.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(super) fn unpack<R: Register<Lane = F>>(&mut self, first: usize, packed: &[R], squares: &[usize]) {
         let (width, from) = (self.width, first - self.range.start);
         let count = R::LANES.min(self.range.end - first);

@@ -23,13 +23,13 @@ pub(crate) struct Articulated<T> {
 }
 
 impl<T: Scalar> Articulated<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn zero() -> Self {
         Self { angular: Symmetric::zero(), coupling: Matrix3::zeros(), linear: Symmetric::zero() }
     }
 
     /// Adds a link's own mass `m`: to `A` its inertia about its origin, to `B` `[h]×`, where `h = m·c`, to `C` `m·1`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn add_mass(&mut self, mass: T, h: &Vector3<T>, inertia_at_origin: &Symmetric<T>) {
         let (b, c) = (&mut self.coupling, &mut self.linear);
         self.angular.add(inertia_at_origin);
@@ -44,7 +44,7 @@ impl<T: Scalar> Articulated<T> {
         c.zz += mass;
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn add(&mut self, other: &Self) {
         self.angular.add(&other.angular);
         self.coupling += other.coupling;
@@ -52,38 +52,38 @@ impl<T: Scalar> Articulated<T> {
     }
 
     /// Nothing is left against turning.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn clear_turning(&mut self) {
         (self.angular, self.coupling) = (Symmetric::zero(), Matrix3::zeros());
     }
 
     /// Moment and force for an angular acceleration about `e` by 1.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn of_turn<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
         (e.of_symmetric(&self.angular), e.of_transposed(&self.coupling))
     }
 
     /// Moment and force for an acceleration along `e` by 1.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn of_slide<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
         (e.of(&self.coupling), e.of_symmetric(&self.linear))
     }
 
     /// Moment and force for an angular acceleration.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn of_angular(&self, angular: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
         (self.angular.times(angular), apply_transposed(&self.coupling, angular))
     }
 
     /// Moment and force for an acceleration of the origin.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn of_linear(&self, linear: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
         (apply(&self.coupling, linear), self.linear.times(linear))
     }
 
     /// Lets a degree of freedom give way: `I ← I − U·Uᵀ/D`, where `U` are the moment and the force that go with its
     /// acceleration.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn give_way(&mut self, moment: &Vector3<T>, force: &Vector3<T>, inverse: T) {
         let (scaled_moment, scaled_force) = (moment * inverse, force * inverse);
         self.angular.subtract_outer(&scaled_moment, moment);
@@ -97,7 +97,7 @@ impl<T: Scalar> Articulated<T> {
     }
 
     /// From the frame after a turn about `e` to the one before it: `R·X·Rᵀ` for every block.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn leave_turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>) {
         self.angular = e.leave_symmetric(&self.angular, turn);
         self.coupling = e.leave_matrix(&self.coupling, turn);
@@ -105,7 +105,7 @@ impl<T: Scalar> Articulated<T> {
     }
 
     /// From a turned frame to the one that it was turned from: `R·X·Rᵀ` for every block.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn leave_frame(&mut self, rotation: &Matrix3<T>) {
         self.angular = self.angular.rotated(rotation);
         self.coupling = conjugated(&self.coupling, rotation);
@@ -117,7 +117,7 @@ impl<T: Scalar> Articulated<T> {
     /// ```text
     /// B' = B + [d]×·C          A' = A − B·[d]× + [d]×·B'ᵀ
     /// ```
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn shift(&mut self, d: &Vector3<T>) {
         let (b, c) = (self.coupling, &self.linear);
         let columns =

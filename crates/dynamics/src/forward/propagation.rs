@@ -31,7 +31,7 @@ pub(crate) fn gather<T: Scalar>(
     tau: &[T],
 ) {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || inward::gather(tree, ws, prescribed, a, tau),
     );
 }
@@ -46,7 +46,7 @@ pub(crate) fn accelerate<T: Scalar>(
     tau: &mut [T],
 ) {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || outward::accelerate(tree, ws, base, prescribed, a, tau),
     );
 }
@@ -80,13 +80,13 @@ impl<T: Scalar> Hinge<T> {
 }
 
 /// Whether the joint of a body gives way to every turn of its link.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn turns_freely<T: Scalar>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
     body.turns_freely && !(body.end - 3..body.end).any(prescribed)
 }
 
 /// The degrees of freedom that a pass takes one by one: neither those of a ball or free joint nor three turns that give way at once.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn one_by_one<T: Scalar>(body: &Body<T>, yields: bool) -> Range<usize> {
     let end = if yields || body.sphere.is_some() { body.single_end } else { body.end };
     body.first..end

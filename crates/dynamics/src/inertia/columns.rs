@@ -49,7 +49,7 @@ impl<T: Scalar> Columns<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn lanes<const W: usize>(&mut self) -> Lanes<'_, T, W> {
         Lanes {
             rows: aligned(&mut self.rows, self.dofs * W).as_chunks_mut().0,
@@ -64,7 +64,7 @@ impl<T: Scalar> Columns<T> {
 const LINE: usize = 64;
 
 /// The first `len` numbers that begin with a line of the cache, so that no register is read from two; of all where that does not go.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn aligned<T>(numbers: &mut [T], len: usize) -> &mut [T] {
     let skipped = numbers.as_ptr().align_offset(LINE);
     let is_room = skipped.checked_add(len).is_some_and(|end| end <= numbers.len());
@@ -72,13 +72,13 @@ fn aligned<T>(numbers: &mut [T], len: usize) -> &mut [T] {
 }
 
 /// The part of a load or a motion that comes first, force or acceleration, and the one that comes last, moment or angular acceleration.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn halves<T: Scalar, const W: usize>(both: &[[T; W]; 6]) -> (Vectors<T, W>, Vectors<T, W>) {
     ([both[0], both[1], both[2]], [both[3], both[4], both[5]])
 }
 
 /// `to + e·v`, where `e` is the same in all lanes.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn plus_along<T: Scalar, const W: usize>(
     mut to: [T; W],
     e: &Vector3<T>,
@@ -93,7 +93,7 @@ pub(crate) fn plus_along<T: Scalar, const W: usize>(
 }
 
 /// `to ← to + e·k`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn add_scaled<T: Scalar, const W: usize>(to: &mut Vectors<T, W>, e: &Vector3<T>, k: &[T; W]) {
     for lane in 0..W {
         to[0][lane] = e.x.times_plus(k[lane], to[0][lane]);
@@ -103,7 +103,7 @@ pub(crate) fn add_scaled<T: Scalar, const W: usize>(to: &mut Vectors<T, W>, e: &
 }
 
 /// `to ← to + r × v`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn add_cross<T: Scalar, const W: usize>(
     to: &mut Vectors<T, W>,
     r: &Vector3<T>,
@@ -118,7 +118,7 @@ pub(crate) fn add_cross<T: Scalar, const W: usize>(
 }
 
 /// Adds a force and a moment to a load.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn add_load<T: Scalar, const W: usize>(
     to: &mut [[T; W]; 6],
     force: &Vectors<T, W>,
@@ -133,7 +133,7 @@ pub(crate) fn add_load<T: Scalar, const W: usize>(
 }
 
 /// Writes columns `first..end` of a symmetric matrix as far as the diagonal, and its rows with them; `first` is a multiple of `W`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn write_mirrored<T: Scalar, const W: usize>(
     rows: &[[T; W]],
     first: usize,

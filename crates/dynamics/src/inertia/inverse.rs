@@ -64,7 +64,7 @@ pub(crate) fn invert<T: Scalar>(
     place(tree, workspace)?;
     let entries = matrix.as_mut_slice();
     let sum = wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || {
             find_levers(tree, workspace);
             articulate(tree, workspace).then(|| {
@@ -86,7 +86,7 @@ pub(crate) fn invert<T: Scalar>(
 
 /// Writes `−M⁻¹·columns` to `to`, where [`invert`] was called last and an entry of column `k` is zero unless one of its degree of freedom
 /// and `k` is carried by the other's link; the sum of all that is written, finite only if all of it is.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn divide<T: Scalar, const W: usize>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -122,7 +122,7 @@ pub(crate) fn divide<T: Scalar, const W: usize>(
 }
 
 /// Gathers the links as they are placed; whether enough is left of every pivot beside all that was added and taken off to make it.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn articulate<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) -> bool {
     let Workspace { articulated, answers, axes, levers, reaches, poses, made_of, .. } = ws;
     for (((body, to), pose), made_of) in
@@ -181,7 +181,7 @@ fn articulate<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) -> bool {
 }
 
 /// Writes the inverse, where [`articulate`] went before; the sum of its entries as far as the diagonal, finite only if all of them are.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn write_inverse<T: Scalar, const W: usize>(tree: &Tree<T>, ws: &mut Workspace<T>, matrix: &mut [T]) -> T {
     let (n, mut last, mut sum) = (tree.nv(), 0, T::zero());
     let Workspace { columns, answers, reaches, .. } = ws;
@@ -208,7 +208,7 @@ fn write_inverse<T: Scalar, const W: usize>(tree: &Tree<T>, ws: &mut Workspace<T
 
 /// In each lane the accelerations that the forces in `rows` give the first `links` links, in their place. Those that the forces act on are
 /// `loaded`; on others there are none. The sum of all accelerations.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn solve<T: Scalar, const W: usize>(
     tree: &Tree<T>,
     lanes: &mut Lanes<'_, T, W>,

@@ -48,7 +48,7 @@ pub fn mass_matrix<T: Scalar>(
     gather(tree, workspace);
     matrix.as_mut_slice().fill(T::zero());
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || write_entries(tree, workspace, matrix.as_mut_slice()),
     );
     for &(k, armature) in &tree.armature {
@@ -60,7 +60,7 @@ pub fn mass_matrix<T: Scalar>(
 }
 
 /// Writes the entries that are not zero, armature left out.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn write_entries<T: Scalar>(tree: &Tree<T>, workspace: &Workspace<T>, matrix: &mut [T]) {
     for (link, body) in tree.bodies.iter().enumerate() {
         // Most joints of living things have three degrees of freedom, most of machines one.
@@ -82,7 +82,7 @@ pub(crate) fn levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// [`levers`], compiled into whatever asks it.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn find_levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         if body.only_turns {
@@ -113,12 +113,12 @@ pub(crate) fn find_levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 /// ```
 pub(crate) fn gather<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     wide::<T, _>(
-        #[cfg_attr(not(target_family = "wasm"), inline(always))]
+        #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
         || gather_links(tree, ws),
     );
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn gather_links<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
         *composite = match &body.mass_distribution {
@@ -143,7 +143,7 @@ fn gather_links<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
     let Composite { mass, first, inertia } = &ws.composites[link];
     let (dof, axis, lever) = (&tree.dofs[j], &ws.axes[j], &ws.levers[j]);
@@ -158,7 +158,7 @@ pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: u
 }
 
 /// The force or moment along degree of freedom `k` of a load about its link's origin.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>) -> T {
     let dof = &tree.dofs[k];
     match (dof.kind.turns(), dof.has_lever) {
@@ -169,7 +169,7 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
 }
 
 /// Writes columns (and rows) of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn write_columns<T: Scalar, const N: usize>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
@@ -220,7 +220,7 @@ fn write_columns<T: Scalar, const N: usize>(
 impl<T: Scalar> Composite<T> {
     /// How much more inertia it has about a point from which its own origin is `r` away: with `u = h + m·r/2`,
     /// `2·u·r·1 − (u·rᵀ + r·uᵀ)`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn shift(&self, r: &Vector3<T>) -> Symmetric<T> {
         let u = self.first + r * (self.mass * T::from_f64(0.5));
         let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
@@ -234,7 +234,7 @@ impl<T: Scalar> Composite<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }

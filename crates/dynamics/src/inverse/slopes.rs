@@ -80,7 +80,7 @@ struct Carried<T> {
 }
 
 impl<T: Scalar> Carried<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn nothing() -> Self {
         Self {
             velocity: Twist::zero(),
@@ -92,7 +92,7 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn add(&mut self, other: &Self) {
         self.body.mass += other.body.mass;
         self.body.first += other.body.first;
@@ -144,13 +144,13 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
         partials: &mut Partials<T>,
     ) -> Result<(), DynamicsError> {
         wide::<T, _>(
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             || self.differentiate(tree, workspace, v, a, external, partials),
         )
     }
 
     /// [`find`](Self::find), compiled into whatever asks it.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn differentiate(
         &mut self,
         tree: &Tree<T>,
@@ -198,7 +198,7 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
     }
 
     /// Puts the degrees of freedom of a link on the path, and finds what moves its own mass.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn enter(&mut self, tree: &Tree<T>, ws: &Workspace<T>, link: usize, v: &[T], a: &[T]) {
         let body = &tree.bodies[link];
         let (before, mut acceleration, from) = match body.parent {
@@ -263,7 +263,7 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
     }
 
     /// Puts a degree of freedom on the path.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     #[expect(clippy::too_many_arguments, reason = "a place and what is kept there")]
     fn put(
         &mut self,
@@ -288,7 +288,7 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
     }
 
     /// Writes the rows and columns of a link's degrees of freedom, and hands what it carries to its parent.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave(&mut self, tree: &Tree<T>, link: usize, has_outside: bool, partials: &mut Partials<T>) {
         let body = &tree.bodies[link];
         let (first, count) = (self.above[link], body.end - body.first);
@@ -307,7 +307,7 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
 
     /// Writes what the degree of freedom at a place of the path does to those before it and they to it: rows of as many, columns of
     /// as many.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn along_path(
         &mut self,
         carried: &Carried<T>,
@@ -374,19 +374,19 @@ fn check_partials<T: Scalar>(partials: &Partials<T>) -> Result<(), DynamicsError
 }
 
 /// A vector of one degree of freedom, in three fields from `first` on.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn vector<T: Scalar, const LANES: usize>(block: &Block<T, LANES>, lane: usize, first: usize) -> Vector3<T> {
     Vector3::new(block[first][lane], block[first + 1][lane], block[first + 2][lane])
 }
 
 /// A motion of one degree of freedom, in six fields from `first` on.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn motion<T: Scalar, const LANES: usize>(block: &Block<T, LANES>, lane: usize, first: usize) -> Twist<T> {
     Twist { angular: vector(block, lane, first), linear: vector(block, lane, first + 3) }
 }
 
 /// The product of a load with the motions in six fields from `first` on, and `more`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn six<T: Scalar, const LANES: usize>(
     block: &Block<T, LANES>,
     first: usize,
@@ -397,7 +397,7 @@ fn six<T: Scalar, const LANES: usize>(
 }
 
 /// The product of a vector with those in three fields from `first` on, and `more`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn three<T: Scalar, const LANES: usize>(
     block: &Block<T, LANES>,
     first: usize,
@@ -414,7 +414,7 @@ fn three<T: Scalar, const LANES: usize>(
 }
 
 /// The motion along degree of freedom `k` of a link whose origin is at `from`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn direction<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, from: &Vector3<T>, k: usize) -> Twist<T> {
     let axis = ws.axes[k];
     if !tree.dofs[k].kind.turns() {
@@ -423,23 +423,23 @@ fn direction<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, from: &Vector3<T>, k:
     Twist { linear: ws.levers[k] + cross(from, &axis), angular: axis }
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn sum<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
     Twist { linear: a.linear + b.linear, angular: a.angular + b.angular }
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn scaled<T: Scalar>(a: &Twist<T>, by: T) -> Twist<T> {
     Twist { linear: a.linear * by, angular: a.angular * by }
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn add<T: Scalar>(a: &Load<T>, b: &Load<T>) -> Load<T> {
     Load { force: a.force + b.force, moment: a.moment + b.moment }
 }
 
 /// `a × b` of two motions.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn crossed<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
     Twist {
         linear: cross(&a.angular, &b.linear) + cross(&a.linear, &b.angular),
@@ -448,7 +448,7 @@ fn crossed<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
 }
 
 /// `s ×* f`: how a force that goes along with a motion changes.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn turned<T: Scalar>(s: &Twist<T>, load: &Load<T>) -> Load<T> {
     Load {
         force: cross(&s.angular, &load.force),
@@ -457,7 +457,7 @@ fn turned<T: Scalar>(s: &Twist<T>, load: &Load<T>) -> Load<T> {
 }
 
 /// `I·δ`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn carries<T: Scalar>(body: &Composite<T>, motion: &Twist<T>) -> Load<T> {
     Load {
         force: motion.linear * body.mass + cross(&motion.angular, &body.first),
@@ -466,14 +466,14 @@ fn carries<T: Scalar>(body: &Composite<T>, motion: &Twist<T>) -> Load<T> {
 }
 
 /// `2B·δ`, which asks for the angular part of `δ` alone; `trace` is that of the flow.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn bends<T: Scalar>(flow: &Flow<T>, trace: T, angular: &Vector3<T>) -> Load<T> {
     let (moment, force) = (angular * trace - apply(&flow.second, angular), cross(angular, &flow.first));
     Load { force: force + force, moment: moment + moment }
 }
 
 /// `∫ ṙ·rᵀ dm = u·hᵀ + [ω]×·∫ r·rᵀ dm` of a rigid body.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn flow<T: Scalar>(body: &Composite<T>, velocity: &Twist<T>) -> Matrix3<T> {
     let Symmetric { xx, yy, zz, xy, xz, yz } = body.inertia;
     let half = (xx + yy + zz) * T::from_f64(0.5);

@@ -74,7 +74,8 @@ macro_rules! lane_wise {
         impl<const N: usize> $operation for Lanes<N> {
             type Output = Self;
 
-            #[inline]
+            #[cfg_attr(debug_assertions, inline(never))]
+            #[cfg_attr(not(debug_assertions), inline)]
             fn $method(self, other: Self) -> Self {
                 Self(from_fn(|i| self.0[i].$method(other.0[i])))
             }
@@ -99,7 +100,8 @@ lane_wise!(Div, div);
 impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn neg(self) -> Self {
         Self(self.0.map(Neg::neg))
     }

@@ -63,18 +63,18 @@ impl<const A: usize> Along<A> {
 }
 
 impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn dot(self, v: &Vector3<T>) -> T {
         v[A]
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn add(self, mut v: Vector3<T>, k: T) -> Vector3<T> {
         v[A] += k;
         v
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
         let mut out = Vector3::zeros();
         out[Self::B] = v[Self::C] * k;
@@ -82,7 +82,7 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         out
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn enter(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
         let (b, c) = (v[Self::B], v[Self::C]);
         v[Self::B] = turn.s.times_plus(c, turn.c * b);
@@ -90,7 +90,7 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         v
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
         let (b, c) = (v[Self::B], v[Self::C]);
         v[Self::B] = turn.s.times_from(c, turn.c * b);
@@ -98,28 +98,28 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         v
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
         Vector3::new(frame[(0, A)], frame[(1, A)], frame[(2, A)])
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
         Vector3::new(matrix[(A, 0)], matrix[(A, 1)], matrix[(A, 2)])
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         Vector3::new(matrix.at(0, A), matrix.at(1, A), matrix.at(2, A))
     }
 
     /// None: it is an entry of the matrix.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn rounding(self, _: &Symmetric<T>) -> T {
         T::zero()
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave_symmetric(self, matrix: &Symmetric<T>, turn: Moved<T>) -> Symmetric<T> {
         let (s, c) = (turn.s, turn.c);
         let (ab, ac) = (matrix.at(A, Self::B), matrix.at(A, Self::C));
@@ -137,7 +137,7 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         out
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave_matrix(self, matrix: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
         let (s, c) = (turn.s, turn.c);
         let mut out = *matrix;
@@ -154,7 +154,7 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         out
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
         let mut out = *frame;
         for row in 0..3 {
@@ -176,62 +176,62 @@ pub(crate) struct GeneralAxis<'a, T> {
 }
 
 impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn dot(self, v: &Vector3<T>) -> T {
         dot(self.axis, v)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn add(self, v: Vector3<T>, k: T) -> Vector3<T> {
         v + self.axis * k
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
         cross(v, &(self.axis * k))
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn enter(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
         apply_transposed(self.rotation, &v)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
         apply(self.rotation, &v)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
         apply(frame, self.axis)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
         apply_transposed(matrix, self.axis)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         matrix.times(self.axis)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn rounding(self, matrix: &Symmetric<T>) -> T {
         (matrix.xx + matrix.yy + matrix.zz) * T::from_f64(4.0 * T::EPSILON)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave_symmetric(self, matrix: &Symmetric<T>, _: Moved<T>) -> Symmetric<T> {
         matrix.rotated(self.rotation)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn leave_matrix(self, matrix: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
         conjugated(matrix, self.rotation)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn turned(self, frame: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
         product(frame, self.rotation)
     }
@@ -242,7 +242,7 @@ impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
 /// ```text
 /// R = 1 + s·(w·[u]× + [u]×²)          s = 2/|q|²
 /// ```
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn quaternion_rotation<T: Scalar>([x, y, z, w]: [T; 4], squared_length: T) -> Matrix3<T> {
     let s = (T::one() + T::one()) / squared_length;
     let (sx, sy, sz) = (s * x, s * y, s * z);
@@ -263,7 +263,7 @@ pub(crate) fn quaternion_rotation<T: Scalar>([x, y, z, w]: [T; 4], squared_lengt
 /// ```text
 /// R = c·1 + s·[e]× + (1 − c)·e·eᵀ
 /// ```
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
     let k = T::one() - c;
     let (x, y, z) = (e.x, e.y, e.z);
@@ -278,7 +278,7 @@ pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
 }
 
 /// `A·B`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn product<T: Scalar>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
     let b = columns(b);
     let (x, y, z) = (apply(a, &b[0]), apply(a, &b[1]), apply(a, &b[2]));
@@ -286,48 +286,48 @@ pub(crate) fn product<T: Scalar>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
 }
 
 /// The rows of a matrix.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn rows<T: Scalar>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
     [Vector3::new(m.m11, m.m12, m.m13), Vector3::new(m.m21, m.m22, m.m23), Vector3::new(m.m31, m.m32, m.m33)]
 }
 
 /// Its columns.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn columns<T: Scalar>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
     [Vector3::new(m.m11, m.m21, m.m31), Vector3::new(m.m12, m.m22, m.m32), Vector3::new(m.m13, m.m23, m.m33)]
 }
 
 /// The matrix of these columns.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn of_columns<T: Scalar>(x: &Vector3<T>, y: &Vector3<T>, z: &Vector3<T>) -> Matrix3<T> {
     Matrix3::new(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 }
 
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn transposed<T: Scalar>(m: &Matrix3<T>) -> Matrix3<T> {
     Matrix3::new(m.m11, m.m21, m.m31, m.m12, m.m22, m.m32, m.m13, m.m23, m.m33)
 }
 
 /// `R·M·Rᵀ`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn conjugated<T: Scalar>(m: &Matrix3<T>, r: &Matrix3<T>) -> Matrix3<T> {
     product(r, &product(m, &transposed(r)))
 }
 
 /// `a₀·b₀ + a₁·b₁ + a₂·b₂`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn sum_of_products<T: Scalar>(a: [T; 3], b: [T; 3]) -> T {
     a[2].times_plus(b[2], a[1].times_plus(b[1], a[0] * b[0]))
 }
 
 /// `a·b`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
     sum_of_products([a.x, a.y, a.z], [b.x, b.y, b.z])
 }
 
 /// `a × b`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(
         a.z.times_from(b.y, a.y * b.z),
@@ -337,7 +337,7 @@ pub(crate) fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
 }
 
 /// `m·v`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn apply<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
     let v = [v.x, v.y, v.z];
     Vector3::new(
@@ -348,7 +348,7 @@ pub(crate) fn apply<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
 }
 
 /// `mᵀ·v`
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn apply_transposed<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
     let v = [v.x, v.y, v.z];
     Vector3::new(

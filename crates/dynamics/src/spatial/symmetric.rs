@@ -16,19 +16,19 @@ pub(crate) struct Symmetric<T> {
 }
 
 impl<T: Scalar> Symmetric<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { xx: o, yy: o, zz: o, xy: o, xz: o, yz: o }
     }
 
     /// The upper triangle of `m`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn of(m: &Matrix3<T>) -> Self {
         Self { xx: m.m11, yy: m.m22, zz: m.m33, xy: m.m12, xz: m.m13, yz: m.m23 }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn at(&self, row: usize, column: usize) -> T {
         match (row, column) {
             (0, 0) => self.xx,
@@ -40,7 +40,7 @@ impl<T: Scalar> Symmetric<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn set(&mut self, row: usize, column: usize, value: T) {
         let entry = match (row, column) {
             (0, 0) => &mut self.xx,
@@ -53,7 +53,7 @@ impl<T: Scalar> Symmetric<T> {
         *entry = value;
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn add(&mut self, other: &Self) {
         self.xx += other.xx;
         self.yy += other.yy;
@@ -63,13 +63,13 @@ impl<T: Scalar> Symmetric<T> {
         self.yz += other.yz;
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn trace(&self) -> T {
         self.xx + self.yy + self.zz
     }
 
     /// `S ← S − u·wᵀ`, where the product is symmetric.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn subtract_outer(&mut self, u: &Vector3<T>, w: &Vector3<T>) {
         self.xx = u.x.times_from(w.x, self.xx);
         self.yy = u.y.times_from(w.y, self.yy);
@@ -80,7 +80,7 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// `S·v`
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn times(&self, v: &Vector3<T>) -> Vector3<T> {
         let v = [v.x, v.y, v.z];
         Vector3::new(
@@ -91,7 +91,7 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// All nine entries.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn full(&self) -> Matrix3<T> {
         #[rustfmt::skip]
         let full = Matrix3::new(
@@ -103,7 +103,7 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// `R·S·Rᵀ`
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
         let rows = rows(rotation);
         let (x, y, z) = (self.times(&rows[0]), self.times(&rows[1]), self.times(&rows[2]));
@@ -129,14 +129,14 @@ pub(crate) struct Factor<T> {
 }
 
 impl<T: Scalar> Factor<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { pivots: [o; 3], yx: o, zx: o, zy: o }
     }
 
     /// The vector that the matrix takes to `v`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn solve(&self, v: &Vector3<T>) -> Vector3<T> {
         let y = self.yx.times_from(v.x, v.y);
         let z = self.zy.times_from(y, self.zx.times_from(v.x, v.z));
@@ -159,7 +159,7 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// The factors of a positive definite matrix. A pivot of which nothing but rounding is left makes them NaN.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn factor(&self) -> Factor<T> {
         let rounding = T::from_f64(4.0 * T::EPSILON);
         let x = self.xx.recip_or_nan((self.yy + self.zz) * rounding);

@@ -164,7 +164,7 @@ impl<T: Scalar> Dof<T> {
     }
 
     /// What it has done, from the pair kept for its coordinate.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn moved(&self, pair: (T, T)) -> Moved<T> {
         Moved { s: pair.0 * self.sign, c: pair.1 }
     }

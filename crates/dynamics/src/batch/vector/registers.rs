@@ -63,14 +63,14 @@ macro_rules! instructions {
         instructions!(@register $token, $singles, f32, $module::singles);
 
         impl $doubles {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn moderate_sin_cos(self) -> (Self, Self) {
                 sine::sin_cos(self)
             }
         }
 
         impl sine::Bits for $doubles {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn turn_back(self, sine: Self, cosine: Self) -> (Self, Self) {
                 // SAFETY: see `Groups`.
                 let (sine, cosine) = unsafe { $module::doubles::turn_back(self.0, sine.0, cosine.0) };
@@ -79,7 +79,7 @@ macro_rules! instructions {
         }
 
         impl $singles {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn moderate_sin_cos(self) -> (Self, Self) {
                 // SAFETY: see `Groups`.
                 let [low, high] = unsafe { $module::singles::widen(self.0) };
@@ -105,7 +105,7 @@ macro_rules! instructions {
         impl Div for $name {
             type Output = Self;
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn div(self, other: Self) -> Self {
                 Self(unsafe { $module::$width::div(self.0, other.0) })
             }
@@ -114,27 +114,27 @@ macro_rules! instructions {
         impl Neg for $name {
             type Output = Self;
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn neg(self) -> Self {
                 Self(unsafe { $module::$width::xor(self.0, Self::splat(-0.0).0) })
             }
         }
 
         impl $name {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn splat(x: $lane) -> Self {
                 Self(unsafe { $module::$width::splat(x) })
             }
 
             /// Whether `|x| ≤ bound` in all lanes.
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn is_within(self, bound: $lane) -> bool {
                 let magnitude = unsafe { $module::$width::andnot(Self::splat(-0.0).0, self.0) };
                 unsafe { $module::$width::all_le(magnitude, Self::splat(bound).0) }
             }
 
             /// `x` where `self > threshold`, elsewhere `y`.
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn where_above(self, threshold: Self, x: Self, y: Self) -> Self {
                 Self(unsafe { $module::$width::select_gt(self.0, threshold.0, x.0, y.0) })
             }
@@ -148,26 +148,26 @@ macro_rules! instructions {
 
         /// Equal where all lanes are.
         impl PartialEq for $name {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn eq(&self, other: &Self) -> bool {
                 unsafe { $module::$width::all_le(self.0, other.0) && $module::$width::all_le(other.0, self.0) }
             }
         }
 
         impl Zero for $name {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn zero() -> Self {
                 Self::splat(0.0)
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn is_zero(&self) -> bool {
                 *self == Self::zero()
             }
         }
 
         impl One for $name {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn one() -> Self {
                 Self::splat(1.0)
             }
@@ -179,19 +179,19 @@ macro_rules! instructions {
 
             const LANES: usize = size_of::<Self>() / size_of::<$lane>();
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn lanes(&self) -> &[$lane] {
                 // SAFETY: a register is `LANES` numbers in a row, at a place that is aligned for one.
                 unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::LANES) }
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn lanes_mut(&mut self) -> &mut [$lane] {
                 // SAFETY: as above.
                 unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::LANES) }
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn transposed(square: &[Self]) -> impl AsRef<[Self]> + use<> {
                 const LANES: usize = $name::LANES;
                 let mut square: [Self; LANES] = square.try_into().expect("as many as lanes");
@@ -214,34 +214,34 @@ macro_rules! instructions {
         impl Scalar for $name {
             const EPSILON: f64 = $lane::EPSILON as f64;
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn from_f64(x: f64) -> Self {
                 Self::splat(x as $lane)
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn times_plus(self, a: Self, b: Self) -> Self {
                 Self(unsafe { $module::$width::times_plus(self.0, a.0, b.0) })
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn times_from(self, a: Self, b: Self) -> Self {
                 Self(unsafe { $module::$width::times_from(self.0, a.0, b.0) })
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn sin_cos(self) -> (Self, Self) {
                 if self.is_within(MODERATE as $lane) { self.moderate_sin_cos() } else { lane_by_lane(self) }
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn sin_cos_all(angles: &[Self], pairs: &mut [(Self, Self)]) {
                 for (angle, pair) in angles.iter().zip(pairs) {
                     *pair = angle.sin_cos();
                 }
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn is_finite(self) -> bool {
                 self.is_within($lane::MAX)
             }
@@ -250,18 +250,18 @@ macro_rules! instructions {
                 self.lanes().iter().fold(f64::NEG_INFINITY, |greatest, lane| greatest.max(lane.greatest()))
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn all_within(self, lower: f64, upper: f64) -> bool {
                 let (lower, upper) = (Self::from_f64(lower), Self::from_f64(upper));
                 unsafe { $module::$width::all_le(lower.0, self.0) && $module::$width::all_le(self.0, upper.0) }
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn recip_above(self, threshold: Self) -> Self {
                 self.where_above(threshold, Self::one() / self, Self::zero())
             }
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn recip_or_nan(self, threshold: Self) -> Self {
                 let nan = Self::splat($lane::NAN);
                 let recip = self.where_above(threshold, Self::one() / self, nan);
@@ -273,14 +273,14 @@ macro_rules! instructions {
         impl $operation for $name {
             type Output = Self;
 
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self(unsafe { $module::$width::$method(self.0, other.0) })
             }
         }
 
         impl $assignment for $name {
-            #[cfg_attr(not(target_family = "wasm"), inline(always))]
+            #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
             fn $assign(&mut self, other: Self) {
                 *self = self.$method(other);
             }

@@ -27,7 +27,7 @@ struct Carried<T> {
 }
 
 /// Gathers the links inwards. Where `prescribed`, `a` holds the acceleration, elsewhere `tau` the force.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn gather<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -154,7 +154,7 @@ pub(crate) fn gather_loads<T: Scalar>(
 
 impl<T: Scalar> Known<T> {
     /// The same along the positive axis.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn along(self, sign: T) -> Self {
         match self {
             Self::Force(force) => Self::Force(force * sign),
@@ -165,7 +165,7 @@ impl<T: Scalar> Known<T> {
 
 impl<T: Scalar> Carried<T> {
     /// Before a turn about `e`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn turn<E: Direction<T>>(
         &mut self,
         e: E,
@@ -182,7 +182,7 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// Before a slide along `e`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn slide<E: Direction<T>>(
         &mut self,
         e: E,
@@ -200,7 +200,7 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// Before a ball or free joint, whose degrees of freedom have been passed.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn land(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         // Where nothing is left against turning, this is nothing.
         self.add(self.inertia.of_angular(&velocity_products[body.end - 1]));
@@ -216,7 +216,7 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn let_turn<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_turn(e);
         let (diagonal, bias) = (e.dot(&moment) + armature, e.dot(&self.load.moment));
@@ -224,7 +224,7 @@ impl<T: Scalar> Carried<T> {
         self.give_way(moment, force, [diagonal, rounding], bias, known)
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn let_slide<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_slide(e);
         let (diagonal, bias) = (e.dot(&force) + armature, e.dot(&self.load.force));
@@ -238,7 +238,7 @@ impl<T: Scalar> Carried<T> {
     /// ```
     ///
     /// A `D` that is not above its own rounding opposes nothing; the result then is NaN.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn give_way(
         &mut self,
         moment: Vector3<T>,
@@ -259,7 +259,7 @@ impl<T: Scalar> Carried<T> {
         Hinge { moment, force, inverse, force_left }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn add(&mut self, (moment, force): (Vector3<T>, Vector3<T>)) {
         self.load.moment += moment;
         self.load.force += force;

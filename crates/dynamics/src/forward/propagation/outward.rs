@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 /// Accelerations, from the root outwards, over a world that itself has the acceleration `base`: writes `a` where it is not
 /// `prescribed`, `tau` where it is.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn accelerate<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -89,7 +89,7 @@ struct Answer<'a, T, P> {
 
 impl<T: Scalar> Accelerating<T> {
     /// Of the joint's frame before its first degree of freedom.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn at_joint(
         body: &Body<T>,
         parent: Option<&LinkMotion<T>>,
@@ -116,14 +116,14 @@ impl<T: Scalar> Accelerating<T> {
     }
 
     /// Past a turn about `e`, without its own acceleration.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, velocity_product: &Vector3<T>) {
         self.angular = e.enter(self.angular, turn) + velocity_product;
         self.linear = e.enter(self.linear, turn);
     }
 
     /// Past the place of a ball or free joint, without the accelerations of its degrees of freedom.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn fly(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         self.linear =
             apply_transposed(&sphere.rotation, &(self.linear + cross(&self.angular, &sphere.translation)));
@@ -133,7 +133,7 @@ impl<T: Scalar> Accelerating<T> {
         }
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn let_turn<E: Direction<T>, P: Fn(usize) -> bool>(
         &mut self,
         e: E,
@@ -145,7 +145,7 @@ impl<T: Scalar> Accelerating<T> {
         answer.force(k, self, acceleration);
     }
 
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn let_slide<E: Direction<T>, P: Fn(usize) -> bool>(
         &mut self,
         e: E,
@@ -160,7 +160,7 @@ impl<T: Scalar> Accelerating<T> {
 
 impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     /// `q̈ = (u − U·a)/D` of a free degree of freedom, whose link would have the acceleration `a` without it.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn acceleration(&mut self, k: usize, without: &Accelerating<T>) -> T {
         let (hinge, sign) = (&self.hinges[k], self.dofs[k].sign);
         if (self.prescribed)(k) {
@@ -172,7 +172,7 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     }
 
     /// Accelerations of three turns at once.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn write_three(&mut self, first: usize, accelerations: [T; 3]) {
         let a = &mut self.a[first..][..3];
         a[0] = accelerations[0];
@@ -181,7 +181,7 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     }
 
     /// `τ = U·a + b` of a prescribed degree of freedom, whose link has the acceleration `a`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn force(&mut self, k: usize, with: &Accelerating<T>, acceleration: T) {
         if (self.prescribed)(k) {
             let (hinge, dof) = (&self.hinges[k], &self.dofs[k]);
@@ -193,7 +193,7 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
 
 impl<T: Scalar> Hinge<T> {
     /// The force along the degree of freedom that an acceleration of its link asks for.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     fn opposes(&self, moving: &Accelerating<T>) -> T {
         let (m, f, angular, linear) = (&self.moment, &self.force, &moving.angular, &moving.linear);
         (m.x * angular.x + m.y * angular.y + m.z * angular.z)

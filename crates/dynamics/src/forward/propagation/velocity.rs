@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 /// Velocities, from the root outwards: every link's angular velocity, the accelerations that velocities bring without
 /// any acceleration of a degree of freedom, and the loads that keep the links' mass on its way.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let (mut angular, mut velocity_product) = (Vector3::zeros(), Vector3::zeros());
@@ -63,7 +63,7 @@ pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v
 }
 
 /// `ω ← Rᵀω + e·q̇`; what it returns is `Rᵀω × e·q̇`.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
+#[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
 fn turning<T: Scalar, E: Direction<T>>(
     e: E,
     angular: &mut Vector3<T>,

@@ -25,13 +25,13 @@ pub(crate) struct Yielding<T> {
 }
 
 impl<T: Scalar> Yielding<T> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn idle() -> Self {
         Self { factor: Factor::zero(), coupling: Matrix3::zeros(), turning: Vector3::zeros() }
     }
 
     /// Lets the link of `inertia` turn under the joint's `moment`; `inertia` and `load` become those of what is left.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn give_way(inertia: &mut Articulated<T>, load: &mut Load<T>, moment: Vector3<T>) -> Self {
         let (factor, b) = (inertia.angular.factor(), inertia.coupling);
         let columns = columns(&b);
@@ -50,7 +50,7 @@ impl<T: Scalar> Yielding<T> {
     }
 
     /// A new load under a new moment.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn pass(&mut self, load: &mut Load<T>, moment: Vector3<T>) {
         let left = moment - load.moment;
         self.turning = self.factor.solve(&left);
@@ -59,7 +59,7 @@ impl<T: Scalar> Yielding<T> {
     }
 
     /// Angular acceleration of the link whose origin has the acceleration `linear`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn angular(&self, linear: &Vector3<T>) -> Vector3<T> {
         self.turning - apply(&self.coupling, linear)
     }
@@ -85,14 +85,14 @@ pub(crate) struct ThreeTurns<T, X, Y, Z> {
 }
 
 impl<T: Scalar, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn new(order: EulerOrder, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
         let lean = if order.is_cyclic() { turns[1].s } else { -turns[1].s };
         Self { axes, last: turns[2], upright: T::one() / turns[1].c, lean }
     }
 
     /// The moment on the link, along its own axes, whose parts along the three axes are `tau`.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn moment(&self, tau: &[T]) -> Vector3<T> {
         let (x, y, z) = self.axes;
         let along = x.add(Vector3::zeros(), self.lean.times_from(tau[2], tau[0]) * self.upright);
@@ -100,7 +100,7 @@ impl<T: Scalar, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T,
     }
 
     /// The accelerations of the three turns that add up to the angular acceleration `relative`, along the link's axes.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(not(any(target_family = "wasm", debug_assertions)), inline(always))]
     pub(crate) fn accelerations(&self, relative: Vector3<T>) -> [T; 3] {
         let (x, y, z) = self.axes;
         let before = z.leave(relative, self.last);
