@@ -44,7 +44,7 @@ fn moved(character: &Character) {
         Ok(moved) => {
             let mut out = Vec::new();
             match character.with_clip("stands", &moved, &mut out) {
-                Ok(()) => {
+                Ok(_) => {
                     let options = ReadOptions { clip: Some("stands".to_owned()), ..ReadOptions::default() };
                     if let Err(error) = read(&out, &options) {
                         refused(&error);

@@ -1,8 +1,8 @@
 //! A walker that is told anything, in frames of any length: it refuses, or stands in a pose of finite numbers.
 #![no_main]
 
-use solaris_fuzz::{Chosen, refused, target};
 use solaris_analysis::Goal;
+use solaris_fuzz::{Chosen, refused, target};
 use solaris_gait::{Command, Walker};
 use solaris_model::{Human, RootOrder, UnitQuaternion, Vector3};
 use std::sync::LazyLock;
@@ -100,7 +100,8 @@ target!(|bytes: &[u8]| {
         }
         match walker.forces(&mut v) {
             Ok(feet) => {
-                let feet = feet.iter().flat_map(|foot| foot.force.iter().chain(&foot.moment).chain(&foot.cop));
+                let feet =
+                    feet.iter().flat_map(|foot| foot.force.iter().chain(&foot.moment).chain(&foot.cop));
                 assert!(v.iter().chain(feet).all(|x| x.is_finite()), "{v:?} under {command:?}");
             }
             Err(error) => refused(&error),
