@@ -9,9 +9,6 @@ use solaris::model::nearest;
 use solaris::profiles::{self, Answers, Curve, Kind, Parameter, ProfileCurve, Quantity, Turn, text};
 use std::collections::BTreeMap;
 
-/// From how many times on others may run meanwhile: what takes microseconds is not worth a change of threads.
-const MANY: usize = 10_000;
-
 /// A curve of one degree of freedom over a span of time: its kind and its parameters, as `kinds()` lists them.
 ///
 /// `Profile(kind, …)` takes the parameters by keyword, `from_` in place of `from`; those that are optional are zero. Kinds through keys have
@@ -47,19 +44,13 @@ impl Profile {
         let single = t.extract::<f64>().is_ok();
         let mut shape = if single { Vec::new() } else { times.shape().to_vec() };
         shape.extend(width);
-        let given = times.as_slice().unwrap_or_default();
-        if let Some((i, time)) = given.iter().enumerate().find(|(_, time)| !time.is_finite()) {
-            return Err(value(format!("t holds {time} at {i}; it must be a finite number")));
+        let mut numbers = Vec::with_capacity(times.len() * width.unwrap_or(1));
+        for (i, time) in times.as_slice().unwrap_or_default().iter().enumerate() {
+            if !time.is_finite() {
+                return Err(value(format!("t holds {time} at {i}; it must be a finite number")));
+            }
+            numbers.extend_from_slice(&self.curve.at(*time).to_array()[..width.unwrap_or(1)]);
         }
-        let width = width.unwrap_or(1);
-        let sample = || {
-            let mut numbers = Vec::with_capacity(given.len() * width);
-            given
-                .iter()
-                .for_each(|time| numbers.extend_from_slice(&self.curve.at(*time).to_array()[..width]));
-            numbers
-        };
-        let numbers = if given.len() < MANY { sample() } else { t.py().detach(sample) };
         PyArray1::from_vec(t.py(), numbers).reshape(&shape[..])
     }
 }

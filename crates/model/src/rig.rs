@@ -99,16 +99,17 @@ pub fn bones(names: &[&str]) -> Vec<Option<Bone>> {
 }
 
 /// Whether a bone is one of those between two joints of a limb that share out how it turns about its own axis: `LeftForeArmRoll`,
-/// `thigh_twist_01_l`, `lShldrTwist`, `左腕捩`. Whole words count: of a troll or a controller there is nothing to share.
+/// `thigh_twist_01_l`, `l_forearmtwist2`, `左腕捩`. Of rolls whole words count: of a troll or a controller there is nothing to share.
 ///
 /// ```
 /// use solaris_model::rig::is_twist;
-/// assert!(is_twist("mixamorig:LeftForeArmRoll") && !is_twist("Troll_LeftArm") && !is_twist("Roll:LeftArm"));
+/// assert!(is_twist("mixamorig:LeftForeArmRoll") && is_twist("l_upperarmtwist1"));
+/// assert!(!is_twist("Troll_LeftArm") && !is_twist("Roll:LeftArm"));
 /// ```
 pub fn is_twist(name: &str) -> bool {
     let own = own(name);
     let is_word =
-        |word: &str| matches!(word.trim_end_matches(|c: char| c.is_ascii_digit()), "twist" | "roll");
+        |word: &str| word.contains("twist") || word.trim_end_matches(|c: char| c.is_ascii_digit()) == "roll";
     own.contains('捩') || words(own).into_iter().any(|range| is_word(&own[range].to_lowercase()))
 }
 

@@ -7,7 +7,7 @@ use solaris_model::{Motion, Placement, Vector3};
 pub(crate) type Stands = [bool; 3];
 
 /// A point that moves slower than this (m/s) stands, of somebody whose ankles are 0.1 m up; swinging feet go twenty times as fast.
-const SLOW: f64 = 0.1;
+pub(crate) const SLOW: f64 = 0.1;
 /// Times on both sides over which a velocity is taken (s): longer than a camera's noise, shorter than a step.
 pub(crate) const WINDOW: f64 = 0.04;
 /// A stance is no shorter than this (s).

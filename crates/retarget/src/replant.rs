@@ -2,7 +2,7 @@
 
 use crate::feet::{Sole, leg};
 use crate::legs::{Bent, bend};
-use crate::planted::runs;
+use crate::planted::{Stands, runs};
 use crate::roles::Limbs;
 use crate::take::Take;
 use crate::transfer::{Body, Replanted, middle};
@@ -74,7 +74,7 @@ pub(crate) fn replant(
     hips: &mut [Vector3<f64>],
 ) -> Replanted {
     let stances = [0, 1].map(|side| stances(take, side));
-    let count = stance_count(take);
+    let count = stance_count(&take.stands);
     let is_alike = alike(take, body, soles, footing.scale);
     let mut done = Replanted { scale: footing.scale, stances: count, is_alike, ..Replanted::default() };
     if is_alike || count == 0 {
@@ -141,8 +141,8 @@ fn bent(body: &Body, limbs: &Limbs, places: &[Placement], ankle: &Vector3<f64>) 
 }
 
 /// How many times a foot stands.
-pub(crate) fn stance_count(take: &Take) -> usize {
-    [0, 1].map(|side| stances(take, side).len()).iter().sum()
+pub(crate) fn stance_count(stands: &[[Stands; 2]]) -> usize {
+    [0, 1].map(|side| runs(stands.len(), |frame| stands[frame][side].contains(&true)).count()).iter().sum()
 }
 
 /// The stretches of frames in which a foot stands on any point.

@@ -13,6 +13,8 @@ use solaris_model::{Figure, Motion, Placement, UnitQuaternion, Vector3};
 const CLOSED: (f64, f64) = (1e-3, 1e-3);
 /// By how much longer a step from the last frame to the first may be than all others, and change more.
 const SEAM: f64 = 1.5;
+/// Rounds that leave out the last frame last no longer than this (s); what is longer is no loop of somebody who goes.
+const LONGEST_OPEN: f64 = 10.0;
 /// Motions of fewer frames are no rounds of anything.
 const LEAST_ROUND: usize = 8;
 
@@ -86,11 +88,21 @@ impl Take {
         let time = motion.time().to_vec();
         let stands = planted(&soles, &time, &frames, motion);
         let is_told = !motion.planted.is_empty();
-        let (belt, stands) = match Belt::found(&soles, &time, &mut frames, &stands) {
-            Some((belt, stands)) => (Some(belt), stands),
-            None => (None, stands),
-        };
-        Ok(Self { skeleton, roles: roles.clone(), heading: turn, time, frames, belt, soles, stands, is_told })
+        let (roles, belt) = (roles.clone(), None);
+        let mut take = Self { skeleton, roles, heading: turn, time, frames, belt, soles, stands, is_told };
+        take.find_belt();
+        Ok(take)
+    }
+
+    /// Looks for ground that goes by, where nothing is told of the ground and none was found.
+    fn find_belt(&mut self) {
+        if self.is_told || self.belt.is_some() {
+            return;
+        }
+        let (pelvis, soles) = (self.roles.pelvis, &self.soles);
+        if let Some((belt, stands)) = Belt::found(soles, pelvis, &self.time, &mut self.frames, &self.stands) {
+            (self.belt, self.stands) = (Some(belt), stands);
+        }
     }
 
     /// Leaves out frames at the beginning, such as a reference pose; the last frame stays.
@@ -100,6 +112,7 @@ impl Take {
         self.time.drain(..first);
         self.frames.drain(..first);
         self.stands.drain(..first);
+        self.find_belt();
         self
     }
 
@@ -158,7 +171,11 @@ impl Take {
     /// it does within the clip, nor do steps change there by much more, all of them together. A foot that lands there may change its own at once.
     fn open_way(&self) -> Option<Vector3<f64>> {
         let count = self.len();
-        let mean = (self.time[count - 1] - self.time[0]) / (count - 1) as f64;
+        let lasts = self.time[count - 1] - self.time[0];
+        if self.is_told || lasts > LONGEST_OPEN {
+            return None;
+        }
+        let mean = lasts / (count - 1) as f64;
         let is_even = |pair: &[f64]| (pair[1] - pair[0] - mean).abs() < 0.01 * mean;
         if !self.time.windows(2).all(is_even) {
             return None;
@@ -181,11 +198,14 @@ impl Take {
         let is_step = |steps: &Vec<Vector3<f64>>, least: f64| {
             steps[count - 1].norm() <= SEAM * longest(&steps[..count - 1]) + least
         };
+        let step = |k: usize| bones.iter().map(|steps| steps[k].norm()).sum::<f64>();
+        let is_near = step(count - 1) <= SEAM * (0..count - 1).map(step).fold(0.0, f64::max) + CLOSED.0;
         let change = |k: usize| bones.iter().map(|steps| (steps[k] - steps[k - 1]).norm()).sum::<f64>();
         let within = (1..count - 1).map(change).fold(0.0, f64::max);
         let is_smooth = change(count - 1).max(change(count)) <= SEAM * within + CLOSED.0;
         let is_level = is_step(&steps(&goes), CLOSED.1);
-        (is_smooth && is_level && bones.iter().all(|steps| is_step(steps, CLOSED.0))).then_some(way)
+        (is_near && is_smooth && is_level && bones.iter().all(|steps| is_step(steps, CLOSED.0)))
+            .then_some(way)
     }
 
     /// How many frames it has.

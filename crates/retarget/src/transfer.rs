@@ -125,10 +125,11 @@ pub fn retarget(given: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, R
         }
     }
     let mut moved = moved(take, &body, &turn, &driven, &hips, replanted);
-    if let Some((_, round)) = rounds {
-        moved.keep(round..round + given.len());
+    if let Some((rounds, round)) = &rounds {
+        let middle = *round..round + given.len();
+        moved.keep(middle.clone());
         moved.time.clone_from(&given.time);
-        moved.replanted.stances = stance_count(given);
+        moved.replanted.stances = stance_count(&rounds.stands[middle]);
     }
     if let Some(belt) = &given.belt {
         let back = |way: Vector3<f64>| turn.inverse() * (way * scale);

@@ -128,7 +128,7 @@ struct Angle {
 impl Angle {
     /// By how much something turns about an axis now, `dt` (s) after the last time (rad).
     fn follow(&mut self, axis: &Unit<Vector3<f64>>, turn: &UnitQuaternion<f64>, dt: f64) -> f64 {
-        self.more *= (-dt / UNWINDING).exp();
+        self.more *= (-dt.max(0.0) / UNWINDING).exp();
         let (sine, cosine) = (turn.imag().dot(axis), turn.scalar());
         if sine.hypot(cosine) >= LEAST {
             // Half the angle may be in any quarter: a quaternion and its opposite are the same turn.

@@ -9,7 +9,7 @@ use crate::world::World;
 use crate::{PageCurve, PageOptions};
 use serde::Serialize;
 use solaris_model::{AnatomicalAngle, AxisKind, ContactTrack, Figure, Motion};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Values over the frames, of one side of the body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -120,23 +120,25 @@ pub(crate) fn joints(
     let moment_bands = Bands::checked(options.moment_bands.as_deref(), "moment", figure, motion)?;
     let members = Members::of(figure);
     let coordinates = coordinates(figure, &members);
-    let mut names: Vec<&str> = Vec::new();
+    // Left and right of a name together, in the order in which names come.
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut named: Vec<(&str, Vec<&Coordinate>)> = Vec::new();
     for coordinate in &coordinates {
-        if !names.contains(&coordinate.name.as_str()) {
-            names.push(&coordinate.name);
+        let place = *places.entry(&coordinate.name).or_insert(named.len());
+        if place == named.len() {
+            named.push((&coordinate.name, Vec::new()));
         }
+        named[place].1.push(coordinate);
     }
     // A person's pelvis stands where the anatomical angles have it; any other root comes last.
-    let is_residual =
-        |name: &str| coordinates.iter().any(|c| c.name == name && c.tau.is_none() && !c.is_angle);
-    names.sort_by_key(|name| {
+    named.sort_by_key(|(name, of)| {
         let own = name.split_once('.').filter(|_| members.are_several()).map_or(*name, |(_, own)| own);
         let first = FIRST.iter().position(|first| own.starts_with(first)).map(|place| place % 3);
-        first.unwrap_or(if is_residual(name) { 4 } else { 3 })
+        let is_residual = of.iter().any(|c| c.tau.is_none() && !c.is_angle);
+        first.unwrap_or(if is_residual { 4 } else { 3 })
     });
     let mut curves = Vec::new();
-    for name in names {
-        let members: Vec<&Coordinate> = coordinates.iter().filter(|c| c.name == name).collect();
+    for (name, members) in named {
         let turns = members[0].turns;
         let unit = if turns { "°" } else { "m" };
         let lines = members.iter().map(|c| {
@@ -196,8 +198,11 @@ fn words(name: &str) -> String {
     text
 }
 
+/// Of how many figures forces are shown one by one: every plot is drawn at every frame.
+const MOST: usize = 4;
+
 /// Forces of each side, all its contacts together: upwards, forwards and to the left, in % of the body's weight, or in N
-/// where there is no weight; of each figure by itself where there are several. Empty without contacts.
+/// where there is no weight; of a few figures one by one, of more all together in N. Empty without contacts.
 pub(crate) fn forces(
     figure: &Figure,
     motion: &Motion,
@@ -205,38 +210,55 @@ pub(crate) fn forces(
     world: &World,
     members: &Members,
 ) -> Vec<ForceCurves> {
-    let owner = |track: &ContactTrack| figure.link_index(&track.link).map(|link| members.of_link(link));
-    let mut curves = Vec::new();
-    for (member, name) in members.names().iter().enumerate() {
-        let own: Vec<(Side, &ContactTrack)> = motion
-            .contacts
-            .iter()
-            .filter(|track| owner(track) == Some(member))
-            .map(|track| (Side::split(&track.link).0, track))
-            .collect();
-        let mut sides: Vec<Side> = own.iter().map(|(side, _)| *side).collect();
-        sides.sort_unstable();
-        sides.dedup();
-        if sides.is_empty() {
-            continue;
-        }
-        let weight = members.weight(member, motion.info.gravity.norm());
-        let (unit, factor) = weight.map_or(("N", 1.0), |weight| ("% BW", 100.0 / weight));
-        for (label, component) in [("Vertical force", 1), ("Force forwards", 2), ("Force to the left", 0)] {
-            let line = |&side: &Side| {
-                let of = own.iter().filter(|(own, _)| *own == side);
-                let at = |sample: usize| {
-                    let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
-                    factor * of.clone().map(|(_, track)| force(track)).sum::<f64>()
-                };
-                Line::new(side, &chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>())
-            };
-            let plot = Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() };
-            let of = if members.are_several() { format!(", {name}") } else { String::new() };
-            curves.push(ForceCurves { label: format!("{label}{of}"), plot });
-        }
+    let mut of: BTreeMap<usize, Vec<&ContactTrack>> = BTreeMap::new();
+    for track in &motion.contacts {
+        let owner = figure.link_index(&track.link).map_or(0, |link| members.of_link(link));
+        of.entry(owner).or_default().push(track);
     }
-    curves
+    if of.len() > MOST {
+        return force_curves(
+            ", all together",
+            &motion.contacts.iter().collect::<Vec<_>>(),
+            chosen,
+            world,
+            None,
+        );
+    }
+    let of_one = |(member, tracks): (usize, Vec<&ContactTrack>)| {
+        let weight = members.weight(member, motion.info.gravity.norm());
+        let whose = if members.are_several() { format!(", {}", members.name(member)) } else { String::new() };
+        force_curves(&whose, &tracks, chosen, world, weight)
+    };
+    of.into_iter().flat_map(of_one).collect()
+}
+
+/// The same of some contacts; `whose` ends their labels.
+fn force_curves(
+    whose: &str,
+    tracks: &[&ContactTrack],
+    chosen: &[usize],
+    world: &World,
+    weight: Option<f64>,
+) -> Vec<ForceCurves> {
+    let sided: Vec<(Side, &ContactTrack)> =
+        tracks.iter().map(|track| (Side::split(&track.link).0, *track)).collect();
+    let mut sides: Vec<Side> = sided.iter().map(|(side, _)| *side).collect();
+    sides.sort_unstable();
+    sides.dedup();
+    let (unit, factor) = weight.map_or(("N", 1.0), |weight| ("% BW", 100.0 / weight));
+    let curve = |(label, component): (&str, usize)| {
+        let line = |&side: &Side| {
+            let of = sided.iter().filter(|(own, _)| *own == side);
+            let at = |sample: usize| {
+                let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
+                factor * of.clone().map(|(_, track)| force(track)).sum::<f64>()
+            };
+            Line::new(side, &chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>())
+        };
+        let plot = Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() };
+        ForceCurves { label: format!("{label}{whose}"), plot }
+    };
+    [("Vertical force", 1), ("Force forwards", 2), ("Force to the left", 0)].map(curve).to_vec()
 }
 
 /// Curves of the caller's.
@@ -356,7 +378,9 @@ mod tests {
             [share(0, 0), share(3, 0), share(3, 1)].map(|(side, share)| (side == Side::Left, share)),
             [(false, 100.0), (true, 25.0), (false, 100.0)]
         );
-        assert_eq!(members.greatest_weight(10.0), Some(1000.0));
+        assert_eq!(members.greatest_weight(&figure, &motion), Some(1000.0));
+        motion.contacts.truncate(1);
+        assert_eq!(members.greatest_weight(&figure, &motion), Some(500.0));
         // Moments are per mass of whose they are, too.
         let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
         let arms: Vec<f64> = curves

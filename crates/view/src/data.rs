@@ -53,7 +53,7 @@ struct Foot {
 pub(crate) struct Data {
     version: u32,
     pub(crate) figure: String,
-    /// N, of the heaviest where there are several; none without mass or gravity.
+    /// N, of the heaviest that touches something where there are several; none without mass or gravity.
     weight: Option<f64>,
     /// Where everything begins (m): whole metres, near the first frame, so that 32-bit floats do for a figure far away.
     origin: [f64; 3],
@@ -134,7 +134,7 @@ pub(crate) fn collect_bare(
     Ok(Data {
         version: VERSION,
         figure: figure.name().to_owned(),
-        weight: members.greatest_weight(gravity),
+        weight: members.greatest_weight(figure, motion),
         origin: origin.into(),
         size: camera.size(),
         camera: Framed { half: camera.half.into(), aim: floats(from(&camera.aim, origin)) },

@@ -1,6 +1,6 @@
 //! The figures that one is made of: each bears its own weight.
 
-use solaris_model::{Figure, Link};
+use solaris_model::{Figure, Link, Motion};
 
 /// The parts of what [`Figure::together`] made, or the figure itself.
 pub(crate) struct Members {
@@ -47,8 +47,8 @@ impl Members {
         self.names.len() > 1
     }
 
-    pub(crate) fn names(&self) -> &[String] {
-        &self.names
+    pub(crate) fn name(&self, member: usize) -> &str {
+        &self.names[member]
     }
 
     /// Which one a link belongs to.
@@ -66,8 +66,12 @@ impl Members {
         Some(self.masses[member] * gravity).filter(|weight| *weight > 0.0)
     }
 
-    /// The weight (N) of the heaviest.
-    pub(crate) fn greatest_weight(&self, gravity: f64) -> Option<f64> {
-        (0..self.names.len()).filter_map(|member| self.weight(member, gravity)).max_by(f64::total_cmp)
+    /// The weight (N) of the heaviest of those that touch something; where none does, of the heaviest.
+    pub(crate) fn greatest_weight(&self, figure: &Figure, motion: &Motion) -> Option<f64> {
+        let gravity = motion.info.gravity.norm();
+        let touching = motion.contacts.iter().filter_map(|track| figure.link_index(&track.link));
+        let weights = touching.filter_map(|link| self.weight(self.of_link(link), gravity));
+        let all = || (0..self.names.len()).filter_map(|member| self.weight(member, gravity));
+        weights.max_by(f64::total_cmp).or_else(|| all().max_by(f64::total_cmp))
     }
 }

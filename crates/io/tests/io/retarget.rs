@@ -310,6 +310,48 @@ fn who_walks_in_place_stands_on_ground_that_goes_by() {
     }
 }
 
+#[test]
+fn who_glides_or_lies_beneath_is_seen_for_what_it_is() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let skeleton = Skeleton::of(&ann);
+    let roles = Roles::find(&skeleton, &BoneMap::default()).expect("roles");
+    let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
+    let file = Made::default().bytes();
+    let moved = |q: Vec<f64>, skip: usize| {
+        let frames = q.len() / nq;
+        let time = (0..frames).map(|frame| frame as f64 / 30.0).collect();
+        let zeros = vec![0.0; nv * frames];
+        let motion = Motion::new(&ann, MotionInfo::on_earth(&ann, 30.0), time, [q, zeros.clone(), zeros]);
+        let take = Take::of(&skeleton, &roles, &ann, &motion.expect("a motion"), None).expect("a take");
+        onto(&file, &take.without(skip)).1.replanted
+    };
+    // Both feet go by at one velocity, but so does the pelvis: no ground is made for it.
+    let mut standing = vec![0.0; nq];
+    standing[1] = 0.95;
+    let glides = (0..60).flat_map(|frame| {
+        let mut row = standing.clone();
+        row[2] = 5.0 * f64::from(frame) / 30.0;
+        row
+    });
+    let done = moved(glides.collect(), 0);
+    assert_eq!((done.belt, done.stances), (0.0, 0));
+    // A reference pose far below the ground, which is left out, hides no ground that goes by.
+    let request = WalkRequest { extent: Extent::Steps(60), ..WalkRequest::default() };
+    let plan = walk(&ann, &request).expect("a walk");
+    let walked = plan.stride_loop().expect("a stride").motion(&ann, 30.0).expect("a motion");
+    let speed = (walked.q(30)[2] - walked.q(0)[2]) / (walked.time()[30] - walked.time()[0]);
+    let in_place = (0..walked.len()).flat_map(|frame| {
+        let mut row = walked.q(frame).to_vec();
+        row[2] -= speed * walked.time()[frame];
+        row
+    });
+    let below = vec![0.0; nq];
+    for (q, skip) in [(below.into_iter().chain(in_place.clone()).collect(), 1), (in_place.collect(), 0)] {
+        let done = moved(q, skip);
+        assert!((done.belt / done.scale - speed).abs() < 0.05 && done.stances >= 2, "{skip}: {done:?}");
+    }
+}
+
 /// A stride, held back by its mean speed.
 fn goes_round_in_place(ann: &Figure, round: &Motion) {
     let (time, last) = (round.time(), round.len() - 1);
