@@ -9,7 +9,6 @@ use crate::data::check_contacts;
 use crate::draw::{self, Drawn, Side};
 use crate::error::ViewError;
 use crate::frames::Frames;
-use crate::members::Members;
 use crate::skin::{self, Skin};
 use crate::world::World;
 use glam::{DMat3, DQuat, DVec3};
@@ -165,30 +164,19 @@ fn stills(
     let links = draw::links(figure);
     let skins = skin::skins(figure);
     let frames = Frames::new(figure, motion, samples, world, &links)?;
-    let members = Members::of(figure);
-    let least: Vec<f64> = motion
-        .contacts
-        .iter()
-        .map(|track| {
-            let member = figure.link_index(&track.link).map_or(0, |link| members.of_link(link));
-            LEAST * members.mass(member) * motion.info.gravity.norm()
-        })
-        .collect();
+    let least = LEAST * figure.mass() * motion.info.gravity.norm();
     let still = |(frame, &sample): (usize, &usize)| {
         let poses = |link: usize| {
             let at = frame * links.len() + link;
             (eye * (frames.root[frame] + frames.positions[at]), (eye * frames.turns[at]).normalize())
         };
-        let borne = motion.contacts.iter().zip(&least);
-        let borne = borne.filter(|(track, least)| track.samples[sample].force.norm() > **least);
+        let borne = motion.contacts.iter().filter(|track| track.samples[sample].force.norm() > least);
         Still {
             time: motion.time()[sample],
             shapes: shapes(&links, &skins, &poses),
             bounds: bounds(&links, &poses),
             borne: borne
-                .map(|(track, _)| {
-                    (Side::split(&track.link).0, eye * world.vector(&track.samples[sample].cop))
-                })
+                .map(|track| (Side::split(&track.link).0, eye * world.vector(&track.samples[sample].cop)))
                 .collect(),
         }
     };
