@@ -205,10 +205,14 @@ test('drives follow one another in a row that is written by keys and clicks', as
   await hasText(page, 'Free(until: Lasting(0.75))');
   await part.locator('.add').click();
   await hasText(page, '[Free(until: Lasting(0.75)), Move(');
-  assert.equal(await part.locator('.bar-of').count(), 2);
-  // Widths are by their times: 0.75 s of 3 s.
-  const [row, bar] = [await part.locator('.bars').boundingBox(), await part.locator('.bar-of').first().boundingBox()];
-  assert.ok(Math.abs(bar.width / row.width - 0.25) < 0.02);
+  // The row is drawn after the text. Widths are by their times: 0.75 s of 3 s.
+  await part.locator('.bar-of').nth(1).waitFor();
+  const [count, share] = await part.locator('.bars').evaluate((row) => {
+    const bars = [...row.querySelectorAll('.bar-of')];
+    return [bars.length, bars[0].getBoundingClientRect().width / row.getBoundingClientRect().width];
+  });
+  assert.equal(count, 2);
+  assert.ok(Math.abs(share - 0.25) < 0.02);
   await part.locator('.bar-of').nth(1).press('Alt+ArrowLeft');
   await hasText(page, '), Free(until: Lasting(0.75))]');
   await part.locator('.bar-of').nth(0).press('Delete');
