@@ -236,3 +236,15 @@ test('on a telephone the text is written and run, in the dark', async (t) => {
   await page.click('.scene .main');
   await page.waitForFunction(() => !globalThis.studio.show.isLive());
 });
+
+test('people of a scene with several are people, before it runs and after', async (t) => {
+  const page = await begin(t, { still: true });
+  if (!page) return;
+  const skins = () => page.evaluate(() => globalThis.studio.show.data.bodies.length);
+  await page.evaluate(() => globalThis.studio.document.set('Scene(version: 1, figures: {"ann": Human(height: 1.6, mass: 55), "bob": Human(height: 1.9, mass: 90)}, places: {"bob": Place(at: (1.2, 0, 0))}, duration: 0.2)'));
+  await page.waitForFunction(() => globalThis.studio.show.data.figure === 'ann and bob');
+  assert.equal(await skins(), 2);
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await page.waitForFunction(() => globalThis.studio.show.data.time.length > 5);
+  assert.equal(await skins(), 2);
+});
