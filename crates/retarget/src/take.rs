@@ -75,7 +75,9 @@ impl Take {
             let mut places = figure.places(motion.q(sample));
             for (place, bone) in places.iter_mut().zip(&skeleton.bones) {
                 *place = turn * *place;
-                if let Some(value) = place.translation.vector.iter().find(|x| !x.is_finite()) {
+                // Of an angle of 1e295 rad nobody knows the sine.
+                let mut numbers = place.translation.vector.iter().chain(place.rotation.coords.iter());
+                if let Some(value) = numbers.find(|x| !x.is_finite()) {
                     return Err(RetargetError::NotFinite {
                         what: "a place",
                         bone: bone.name.clone(),

@@ -570,3 +570,19 @@ fn twist_bones_share_out_how_a_limb_turns_about_its_axis() {
         }
     }
 }
+
+/// Found by the fuzzer.
+#[test]
+fn a_clip_that_turns_by_more_than_has_a_sine_is_refused() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let layout = ann.layout();
+    let mut q = vec![0.0; layout.nq()];
+    q[layout.dof_index("neck.rx").and_then(|dof| layout.coordinate(dof)).expect("a neck")] = 1.7e295;
+    let zeros = vec![0.0; layout.nv()];
+    let info = MotionInfo::on_earth(&ann, 30.0);
+    let motion = Motion::new(&ann, info, vec![0.0], [q, zeros.clone(), zeros]).expect("a motion");
+    let skeleton = Skeleton::of(&ann);
+    let roles = Roles::find(&skeleton, &BoneMap::default()).expect("roles");
+    let refused = Take::of(&skeleton, &roles, &ann, &motion, None);
+    assert!(matches!(&refused, Err(RetargetError::NotFinite { bone, .. }) if bone == "neck"), "{refused:?}");
+}
