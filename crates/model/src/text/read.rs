@@ -173,7 +173,7 @@ impl FigureReader<'_> {
             // Where it is unknown, the degree of freedom is to be looked at.
             self.places.put_field(Part::Angle, name, "dof", value.span.clone());
             let negative = dof.starts_with('-');
-            builder = builder.angle(name, dof.strip_prefix(['-', '+']).unwrap_or(dof).trim_start(), negative);
+            builder = builder.angle(name, dof.strip_prefix(['-', '+']).unwrap_or(dof), negative);
         }
         builder
     }

@@ -44,6 +44,16 @@ fn humans_of_many_sizes_come_back() {
     }
 }
 
+/// Found by the fuzzer: names that begin with a space, in angles with a sign and without one.
+#[test]
+fn people_with_any_names_come_back() {
+    let ann = human(1.65, 58.0).expect("a human");
+    let at = Placement::identity();
+    for name in ["\ta", " a", "a b", "-a", "+a"] {
+        check(&Figure::together(&[(name, &ann, at), ("b", &ann, at)]).expect("two people"));
+    }
+}
+
 #[test]
 fn fused_and_rerooted_humans_come_back() {
     let ann = human(1.65, 58.0).expect("a human");
