@@ -38,6 +38,19 @@ impl SceneReader<'_> {
         if !whole || found.is_empty() {
             return None;
         }
+        // Half of how far links may be from each other.
+        let is_beyond = |x: &f64| x.is_nan() || x.abs() > Figure::LONGEST / 2.0;
+        let is_far = |place: &Placement| place.translation.vector.iter().any(is_beyond);
+        if let Some((member, place)) = members.iter().zip(&places).find(|(_, place)| is_far(place)) {
+            let message = format!(
+                "'{}' stands {:e} m from the world's origin; it may be {:e} m at most",
+                member.name,
+                place.translation.vector.amax(),
+                Figure::LONGEST / 2.0
+            );
+            self.reader.fault(fields.get("places").map_or(node.place(), Node::place), message);
+            return None;
+        }
         if let ([member], [figure], [place]) = (&members[..], &found[..], &places[..]) {
             if *place != Placement::identity() && fields.get("walk").is_some() {
                 let message = "a walk begins at the world's origin; leave its figure out of 'places'";

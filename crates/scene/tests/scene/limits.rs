@@ -52,6 +52,26 @@ fn reaches_take_ten_minutes_at_most() {
     ends_at(600, "a reach takes 600 s at most", one);
 }
 
+/// Found by the fuzzer: nobody stands farther away than figures can be.
+#[test]
+fn who_stands_too_far_away_is_named() {
+    let far = |figures: &str, places: &str| {
+        crate::faults::faults(&format!("Scene(version: 1, figures: {{{figures}}}, duration: 1{places})"))
+    };
+    let crowd = far("\"c\": Crowd(count: 3, apart: 1e154)", "");
+    assert!(
+        crowd.contains("'c1' stands 5e153 m from the world's origin; it may be 5e8 m at most"),
+        "{crowd}"
+    );
+    let two = "\"a\": Human(height: 1.7, mass: 60), \"b\": Human(height: 1.7, mass: 60)";
+    let place = far(two, ", places: {\"b\": Place(at: (0, 0, 6e8))}");
+    assert!(place.contains("'b' stands 6e8 m"), "{place}");
+    let near = format!(
+        "Scene(version: 1, figures: {{{two}}}, duration: 1, places: {{\"b\": Place(at: (0, 0, 4e8))}})"
+    );
+    assert!(solaris_scene::read(&near, &mut solaris_scene::NoFiles).is_ok());
+}
+
 #[test]
 fn people_of_a_crowd_are_counted() {
     let crowd = |count: usize| {
