@@ -391,6 +391,31 @@ mod tests {
     }
 
     #[test]
+    fn many_bear_all_together_in_newtons() {
+        let body = LinkSpec::root("body", Joint::free("root")).mass(50.0);
+        let one = FigureBuilder::new("it").link(body).build().expect("a figure");
+        let names: Vec<String> = (0..=MOST).map(|i| format!("p{i}")).collect();
+        let all: Vec<_> = names.iter().map(|name| (name.as_str(), &one, Placement::identity())).collect();
+        let figure = Figure::together(&all).expect("figures");
+        let mut q = vec![0.0; figure.layout().nq()];
+        figure.neutral(&mut q).expect("its length");
+        let zeros = vec![0.0; figure.layout().nv()];
+        let info = MotionInfo::on_earth(&figure, 60.0);
+        let mut motion = Motion::new(&figure, info, vec![0.0], [q, zeros.clone(), zeros]).expect("finite");
+        let force = Vector3::new(0.0, 500.0, 0.0);
+        let track = |name: &String| ContactTrack {
+            link: format!("{name}.body"),
+            samples: vec![Contact { force, ..Contact::default() }],
+        };
+        motion.contacts = names.iter().map(track).collect();
+        let world = World::new(&motion.info.gravity, None);
+        let forces = forces(&figure, &motion, &[0], &world, &Members::of(&figure));
+        let (up, unit) = (&forces[0].plot.lines[0].values.unpack(), forces[0].plot.unit.as_str());
+        assert_eq!((forces.len(), unit), (3, "N"));
+        assert!((up[0] - 500.0 * names.len() as f64).abs() < 1e-9);
+    }
+
+    #[test]
     fn a_band_is_in_degrees_and_per_mass_whatever_the_sign() {
         let (figure, motion) = bent_knee();
         let layout = figure.layout();
