@@ -24,6 +24,12 @@
 //! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
 //! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck; `LeftFingerBase` in the palm |
 //!
+//! CMU's `LHipJoint` is one of no length between pelvis and thigh. Unreal's `root` stays at the origin, on the ground under somebody who stands at rest; the pelvis
+//! has the whole motion, as Mixamo's `Hips` have it.
+//!
+//! Unreal's `upperarm_twist_01_l` and the like, two of them a limb at its thirds, turn about its axis: they share out how it is rolled, so that skin wrings nowhere
+//! ([`solaris_retarget::Roll`]).
+//!
 //! Fingers and, of `Vrm` and `Unity`, eyes are such bones, too, each with what of the skin is its own, so that they can be posed: at rest fingers
 //! hang as they do in the skin, a little bent, their frames along the world's axes. `Cmu` has a thumb and one bone for the four fingers, `Smpl` none.
 //!
@@ -31,6 +37,7 @@
 
 mod map;
 mod rigged;
+mod twist;
 
 pub use map::RigMap;
 pub use rigged::Rigged;
@@ -54,11 +61,14 @@ const NAMES: &str = include_str!("rig/names.csv");
 /// one or to its own tip.
 const BETWEEN: &str = include_str!("rig/between.csv");
 
+/// Bones that share out how a limb turns about its own axis: each in a link, at a share of the way to the joint of the next.
+const TWISTS: &str = include_str!("rig/twists.csv");
+
 /// Names of fingers and eyes, [`solaris_skin::Part`]s of a person's skin, a rig a column; those that have none have no column or no name.
 const PARTS: &str = include_str!("rig/parts.csv");
 
-/// A bone that never turns.
-struct Between {
+/// A bone that a rig has along a link.
+struct Along {
     bone: &'static str,
     link: &'static str,
     toward: &'static str,
@@ -81,14 +91,28 @@ impl Rig {
         row.split(',').nth(1 + self as usize)
     }
 
-    /// The bones that it has beyond a human's links.
-    fn between(self) -> impl Iterator<Item = Between> {
-        BETWEEN.lines().skip(1).filter_map(move |row| {
+    /// Its bones of a table.
+    fn along(self, table: &'static str) -> impl Iterator<Item = Along> {
+        table.lines().skip(1).filter_map(move |row| {
             let mut cells = row.split(',');
             let mut cell = || cells.next();
             let (rig, bone, link, toward, share) = (cell()?, cell()?, cell()?, cell()?, cell()?);
-            (rig == self.name()).then_some(Between { bone, link, toward, share: share.parse().ok()? })
+            (rig == self.name()).then_some(Along { bone, link, toward, share: share.parse().ok()? })
         })
+    }
+
+    /// What it calls the bone that stays on the ground at the origin, on which the pelvis hangs.
+    pub fn root(self) -> Option<&'static str> {
+        (self == Self::Unreal).then_some("root")
+    }
+
+    /// What it calls a bone of no length by which a human's link hangs on what is above it.
+    fn hook(self, link: &str) -> Option<&'static str> {
+        match (self, link) {
+            (Self::Cmu, "left_thigh") => Some("LHipJoint"),
+            (Self::Cmu, "right_thigh") => Some("RHipJoint"),
+            _ => None,
+        }
     }
 
     /// What it calls a part of a human's skin: a bone of a finger, an eye.

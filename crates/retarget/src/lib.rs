@@ -22,3 +22,4 @@ pub use roles::{Limbs, ROLES, Roles};
 pub use skeleton::{Bone, Skeleton};
 pub use take::Take;
 pub use transfer::{Moved, Replanted, retarget};
+pub use twist::Roll;

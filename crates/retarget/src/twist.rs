@@ -30,7 +30,7 @@ pub(crate) struct Twist {
     /// How far along it is, 0 to 1.
     share: f64,
     /// By how much the limb turned in what it hangs on, and the next one in it.
-    turned: [Angle; 2],
+    turned: [Roll; 2],
 }
 
 impl Twist {
@@ -115,19 +115,30 @@ impl Twist {
     }
 }
 
-/// An angle about an axis that goes on past half a turn without a leap: the one within half a turn and whole turns that were gone
-/// through, which are undone gradually: what comes back to its posture has its angle again.
+/// How far something is turned about an axis, frame after frame, past half a turn without a leap: the angle within half a turn and whole
+/// turns that were gone through, which are undone within some tenths of a second: what comes back to its posture has its angle again.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// use solaris_retarget::Roll;
+/// let (axis, mut roll) = (Vector3::y_axis(), Roll::default());
+/// for angle in [0.0, 1.5, 3.0, 4.5] {
+///     let turn = UnitQuaternion::from_axis_angle(&axis, angle);
+///     assert!((roll.follow(&axis, &turn, 0.0) - angle).abs() < 1e-12);
+/// }
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
-struct Angle {
+pub struct Roll {
     /// Within half a turn (rad).
     within: f64,
     /// What whole turns have left (rad).
     more: f64,
 }
 
-impl Angle {
-    /// By how much something turns about an axis now, `dt` (s) after the last time (rad).
-    fn follow(&mut self, axis: &Unit<Vector3<f64>>, turn: &UnitQuaternion<f64>, dt: f64) -> f64 {
+impl Roll {
+    /// By how much `turn` turns about the unit vector `axis` (rad), `dt` (s) after the last time. Of one that lies nearly half a turn off the axis, which tells nothing,
+    /// the angle stays.
+    pub fn follow(&mut self, axis: &Vector3<f64>, turn: &UnitQuaternion<f64>, dt: f64) -> f64 {
         self.more *= (-dt.max(0.0) / UNWINDING).exp();
         let (sine, cosine) = (turn.imag().dot(axis), turn.scalar());
         if sine.hypot(cosine) >= LEAST {
@@ -149,7 +160,7 @@ mod tests {
     fn a_turn_about_an_axis_goes_on_past_half_a_turn_and_comes_back() {
         let axis = Vector3::y_axis();
         let swing = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, 0.0, -0.3));
-        let mut angle = Angle::default();
+        let mut angle = Roll::default();
         let mut follow =
             |by: f64, dt: f64| angle.follow(&axis, &(swing * UnitQuaternion::from_axis_angle(&axis, by)), dt);
         // It goes on as it does.
@@ -169,13 +180,13 @@ mod tests {
 
         // Turned upside down, nothing tells how far about the axis.
         let over = UnitQuaternion::from_scaled_axis(Vector3::x() * PI);
-        let mut angle = Angle { within: 0.7, more: 0.0 };
+        let mut angle = Roll { within: 0.7, more: 0.0 };
         assert!((angle.follow(&axis, &over, 1.0) - 0.7).abs() < 1e-15);
         // A turn and its opposite quaternion are one.
         let turn = UnitQuaternion::from_axis_angle(&axis, 1.0);
         let opposite = UnitQuaternion::new_unchecked(-turn.into_inner());
         for turn in [turn, opposite] {
-            assert!((Angle::default().follow(&axis, &turn, 1.0) - 1.0).abs() < 1e-12);
+            assert!((Roll::default().follow(&axis, &turn, 1.0) - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Names of bones and a rest pose, as somebody wrote them down.
 
-use super::{Between, NAMES, Rest, Rig};
+use super::{Along, BETWEEN, NAMES, Rest, Rig, TWISTS};
 use solaris_text::{Reader, TextError, nearest, parse};
 
 /// What a text shows where it is none.
@@ -99,14 +99,29 @@ impl RigMap {
         self.rig?.part(part)
     }
 
+    /// The bone that it calls [`Rig::root`].
+    pub(super) fn root(&self) -> Option<&'static str> {
+        self.rig?.root()
+    }
+
+    /// The bone by which it hangs a link on what is above it, see [`Rig::hook`].
+    pub(super) fn hook(&self, link: &str) -> Option<&'static str> {
+        self.rig?.hook(link)
+    }
+
     /// What a message calls it.
     pub(super) fn name(&self) -> &'static str {
         self.rig.map_or("custom", Rig::name)
     }
 
-    /// The bones that it has beyond a human's links.
-    pub(super) fn between(&self) -> impl Iterator<Item = Between> {
-        self.rig.into_iter().flat_map(Rig::between)
+    /// The bones between a human's links, which never turn.
+    pub(super) fn between(&self) -> impl Iterator<Item = Along> {
+        self.rig.into_iter().flat_map(|rig| rig.along(BETWEEN))
+    }
+
+    /// The bones that share out how a limb turns about its own axis.
+    pub(super) fn twists(&self) -> impl Iterator<Item = Along> {
+        self.rig.into_iter().flat_map(|rig| rig.along(TWISTS))
     }
 }
 

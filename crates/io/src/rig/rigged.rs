@@ -1,11 +1,13 @@
 //! The figure on a rig's bones, its motions and its skin.
 
 use super::RigMap;
+use super::twist::Limb;
 use crate::error::IoError;
 use solaris_model::{
     Figure, FigureBuilder, Inertia, Isometry3, Joint, Known, LinkSpec, Motion, Placement, Shape,
     UnitQuaternion, Vector3,
 };
+use solaris_retarget::Roll;
 use solaris_skin::{Detail, Influence, Skin, parts, skin};
 use std::collections::HashSet;
 
@@ -20,6 +22,10 @@ pub struct Rigged {
     turns: Vec<UnitQuaternion<f64>>,
     /// For each part of the skin the bone that it is, if it is one.
     parts: Vec<Option<usize>>,
+    /// Limbs with bones of twist.
+    limbs: Vec<Limb>,
+    /// How high (m) the pelvis is above the bone on which it hangs, if it hangs on one.
+    height: f64,
 }
 
 impl Rigged {
@@ -47,6 +53,12 @@ impl Rigged {
         let mut builder = FigureBuilder::new(figure.name());
         let parts = parts(figure);
         let mut made = HashSet::new();
+        let root = rig.root();
+        // At rest the soles are on the ground.
+        let height = if root.is_some() { height(figure) } else { 0.0 };
+        if let Some(root) = root {
+            builder = builder.link(LinkSpec::root(root, Joint::new("ground")));
+        }
         for (index, link) in figure.links().iter().enumerate() {
             let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
             let Some(name) = name else {
@@ -64,9 +76,19 @@ impl Rigged {
             let turn = rest.inverse() * above;
             let at = above.inverse() * link.joint().placement().translation.vector;
             let spec = match link.parent() {
-                None => LinkSpec::root(name, Joint::free("root").at(at)),
+                None => {
+                    let joint = Joint::free("root").at(at + Vector3::y() * height);
+                    match root {
+                        None => LinkSpec::root(name, joint),
+                        Some(root) => LinkSpec::child(name, root, joint),
+                    }
+                }
                 Some(parent) => {
-                    let (bone, end) = ends[parent];
+                    let (mut bone, end) = ends[parent];
+                    if let Some(hook) = rig.hook(link.name()) {
+                        builder = builder.link(LinkSpec::child(hook, bone, Joint::new(hook)));
+                        bone = hook;
+                    }
                     LinkSpec::child(name, bone, Joint::ball(link.joint().name()).at(at - end))
                 }
             };
@@ -78,6 +100,11 @@ impl Rigged {
                 let fixed = Joint::new(between.bone).at(at - end.1);
                 builder = builder.link(LinkSpec::child(between.bone, end.0, fixed));
                 end = (between.bone, at);
+            }
+            for twist in rig.twists().filter(|twist| twist.link == link.name()) {
+                let Some(way) = way(figure, link, twist.toward) else { continue };
+                let ball = Joint::ball(twist.bone).at(turn.inverse() * way * twist.share);
+                builder = builder.link(LinkSpec::child(twist.bone, name, ball));
             }
             for part in parts.iter().filter(|part| part.link == index) {
                 // One bone may be several parts: CMU's four fingers are one, from the first one's knuckle on.
@@ -97,10 +124,11 @@ impl Rigged {
         if let Some(stature) = figure.stature() {
             builder = builder.stature(stature);
         }
-        let figure = builder.build()?;
-        let bones = names.iter().filter_map(|name| figure.link_index(name)).collect();
-        let parts = parts.iter().map(|part| figure.link_index(rig.part(&part.name)?)).collect();
-        Ok(Self { figure, bones, turns, parts })
+        let on = builder.build()?;
+        let bones: Vec<usize> = names.iter().filter_map(|name| on.link_index(name)).collect();
+        let parts = parts.iter().map(|part| on.link_index(rig.part(&part.name)?)).collect();
+        let limbs = (0..bones.len()).filter_map(|link| limb(figure, &rig, &on, link, &bones)).collect();
+        Ok(Self { figure: on, bones, turns, parts, limbs, height })
     }
 
     /// A motion of the figure as it was, on the bones: the same places at the same times, with its contacts and events.
@@ -111,18 +139,33 @@ impl Rigged {
     pub fn motion(&self, figure: &Figure, motion: &Motion) -> Result<Motion, IoError> {
         motion.check_figure(figure)?;
         let (nq, nv) = (self.figure.layout().nq(), self.figure.layout().nv());
-        let mut q = Vec::with_capacity(nq * motion.len());
-        for sample in 0..motion.len() {
+        let mut q = vec![0.0; nq * motion.len()];
+        let mut turned = vec![UnitQuaternion::identity(); figure.links().len()];
+        let mut rolls = vec![[Roll::default(); 2]; self.limbs.len()];
+        let joints = self.figure.layout().joints();
+        for (sample, bones) in q.chunks_exact_mut(nq).enumerate() {
             let row = motion.q(sample);
             for ((i, link), at) in figure.links().iter().enumerate().zip(figure.layout().joints()) {
                 let moved = link.joint().moved(&row[at.q..]);
                 let above = link.parent().map_or_else(UnitQuaternion::identity, |parent| self.turns[parent]);
-                if link.parent().is_none() {
-                    q.extend(moved.translation.vector.iter());
-                }
                 let mut turn = above.inverse() * moved.rotation * self.turns[i];
                 turn.renormalize();
-                q.extend(turn.coords.iter());
+                turned[i] = turn;
+                let mut first = joints[self.bones[i]].q;
+                if link.parent().is_none() {
+                    let place = moved.translation.vector - Vector3::y() * self.height;
+                    bones[first..first + 3].copy_from_slice(place.as_slice());
+                    first += 3;
+                }
+                bones[first..first + 4].copy_from_slice(turn.coords.as_slice());
+            }
+            let time = motion.time();
+            let dt = sample.checked_sub(1).map_or(0.0, |before| time[sample] - time[before]);
+            for (limb, rolls) in self.limbs.iter().zip(&mut rolls) {
+                for (bone, turn) in limb.turns(&turned, rolls, dt) {
+                    let first = joints[bone].q;
+                    bones[first..first + 4].copy_from_slice(turn.coords.as_slice());
+                }
             }
         }
         let info =
@@ -176,23 +219,81 @@ impl Rigged {
                 };
                 Influence { link: bone as u16, ..i }
             };
-            let mut merged: Vec<Influence> = Vec::with_capacity(4);
-            for i in with.into_iter().filter(|i| i.share > 0.0).map(own) {
-                match merged.iter_mut().find(|other| other.link == i.link) {
-                    Some(other) => other.share += i.share,
-                    None => merged.push(i),
-                }
-            }
-            merged.sort_by(|a, b| b.share.total_cmp(&a.share));
-            merged.resize(4, Influence::default());
-            skin.influences[vertex as usize] = [merged[0], merged[1], merged[2], merged[3]];
+            skin.influences[vertex as usize] = greatest(with.into_iter().map(own));
         }
         skin.parts.clear();
+        let mut skin = skin.rebound(&self.places_at_rest());
+        self.share_twists(&mut skin);
+        skin
+    }
+
+    /// Where all bones are in the rest pose.
+    fn places_at_rest(&self) -> Vec<Placement> {
         let mut q = vec![0.0; self.figure.layout().nq()];
         // The length is the figure's own.
         let _ = self.figure.neutral(&mut q);
-        skin.rebound(&self.figure.places(&q))
+        self.figure.places(&q)
     }
+
+    /// Gives bones of twist what they have of a skin that is bound at rest.
+    fn share_twists(&self, skin: &mut Skin) {
+        if self.limbs.is_empty() {
+            return;
+        }
+        for (point, influences) in skin.points.iter().zip(&mut skin.influences) {
+            let shared = influences.iter().flat_map(|i| {
+                match self.limbs.iter().find(|limb| limb.bone == usize::from(i.link)) {
+                    Some(limb) => limb.shared(&(point - skin.bind[limb.bone].translation.vector), i.share),
+                    None => [*i, Influence::default()],
+                }
+            });
+            *influences = greatest(shared);
+        }
+    }
+}
+
+/// The four greatest of some influences, those of one bone as one, together as much as all.
+fn greatest(influences: impl Iterator<Item = Influence>) -> [Influence; 4] {
+    let mut merged: Vec<Influence> = Vec::with_capacity(8);
+    let mut all = 0.0;
+    for i in influences.filter(|i| i.share > 0.0) {
+        all += i.share;
+        match merged.iter_mut().find(|other| other.link == i.link) {
+            Some(other) => other.share += i.share,
+            None => merged.push(i),
+        }
+    }
+    merged.sort_by(|a, b| b.share.total_cmp(&a.share));
+    merged.resize(4, Influence::default());
+    let four = [merged[0], merged[1], merged[2], merged[3]];
+    let kept: f32 = four.iter().map(|i| i.share).sum();
+    let factor = if kept > 0.0 && kept < all { all / kept } else { 1.0 };
+    four.map(|i| Influence { share: i.share * factor, ..i })
+}
+
+/// How high (m) above the ground the pelvis is where somebody stands at rest.
+fn height(figure: &Figure) -> f64 {
+    let mut q = vec![0.0; figure.layout().nq()];
+    // The length is the figure's own.
+    let _ = figure.neutral(&mut q);
+    let places = figure.places(&q);
+    let soles = figure.links().iter().zip(&places).flat_map(|(link, place)| {
+        link.sole().iter().map(move |point| (place.translation.vector + place.rotation * point.position).y)
+    });
+    let lowest = soles.fold(f64::INFINITY, f64::min);
+    if lowest.is_finite() { places[0].translation.y - lowest } else { 0.0 }
+}
+
+/// A person's link as a limb, if the rig has bones of twist in it.
+fn limb(figure: &Figure, rig: &RigMap, on: &Figure, link: usize, bones: &[usize]) -> Option<Limb> {
+    let name = figure.links()[link].name();
+    let toward = rig.twists().find(|twist| twist.link == name)?.toward;
+    let next = figure.link_index(toward)?;
+    let twists = rig.twists().filter(|twist| twist.link == name);
+    let twists = twists.filter_map(|twist| Some((on.link_index(twist.bone)?, twist.share))).collect();
+    let way = on.links()[bones[next]].joint().placement().translation.vector;
+    let is_last = ["hand", "foot"].iter().any(|end| toward.ends_with(end));
+    Some(Limb { link, next, bone: bones[link], way, twists, is_last })
 }
 
 /// The way in a link's frame (m) from its joint to that of the link called `toward`, or to its own tip.
