@@ -2,7 +2,7 @@
 //!
 //! # Source
 //!
-//! VRM Consortium, `VRMC_vrm-1.0`: `humanoid.md`, `meta.md`, `tpose.md` (2022).
+//! VRM Consortium, `VRMC_vrm-1.0`: `humanoid.md`, `meta.md`, `tpose.md`, `lookAt.md` (2022).
 
 use super::Actor;
 use super::skeleton::Skeleton;
@@ -111,7 +111,7 @@ pub(super) fn extension(actor: &Actor, skeleton: &Skeleton) -> Value {
         Some(((*bone).to_owned(), json!({ "node": skeleton.nodes[link] })))
     });
     let name = if actor.name.is_empty() { "person" } else { actor.name };
-    json!({
+    let mut extension = json!({
         "specVersion": "1.0",
         "meta": {
             "name": name,
@@ -120,5 +120,33 @@ pub(super) fn extension(actor: &Actor, skeleton: &Skeleton) -> Value {
             "licenseUrl": "https://vrm.dev/licenses/1.0/",
         },
         "humanoid": { "humanBones": bones.collect::<Map<_, _>>() },
-    })
+    });
+    if let Some(look) = look(actor.figure) {
+        extension["lookAt"] = look;
+    }
+    extension
+}
+
+/// How far (°) eyes turn to the side, up and down: as far as what they look at is, up to there.
+const ASIDE: f64 = 35.0;
+const UP: f64 = 25.0;
+
+/// That eyes turn to what is looked at, if there are eyes.
+fn look(figure: &Figure) -> Option<Value> {
+    let [head, left, right] = ["head", "leftEye", "rightEye"].map(|bone| figure.link_index(bone));
+    let mut q = vec![0.0; figure.layout().nq()];
+    // The length is the figure's own.
+    let _ = figure.neutral(&mut q);
+    let places = figure.places(&q);
+    let at = |bone: usize| places[bone].translation.vector;
+    let middle = places[head?].rotation.inverse() * ((at(left?) + at(right?)) / 2.0 - at(head?));
+    let upto = |most: f64| json!({ "inputMaxValue": most, "outputScale": most });
+    Some(json!({
+        "type": "bone",
+        "offsetFromHeadBone": middle.map(|x| x as f32).as_slice(),
+        "rangeMapHorizontalInner": upto(ASIDE),
+        "rangeMapHorizontalOuter": upto(ASIDE),
+        "rangeMapVerticalDown": upto(UP),
+        "rangeMapVerticalUp": upto(UP),
+    }))
 }

@@ -70,6 +70,25 @@ fn the_extension_names_the_node_of_every_bone_and_the_model() {
     assert_eq!((hips["translation"][0].as_f64(), hips["translation"][2].as_f64()), (Some(0.0), Some(0.0)));
     let lowest = skin.points.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
     assert!((height + lowest).abs() < 2e-3, "soles at {} m", height + lowest);
+    // Eyes turn: from between them one looks.
+    let offset = &vrm["lookAt"]["offsetFromHeadBone"];
+    let eyes = [0, 1, 2].map(|i| offset[i].as_f64().expect("a length"));
+    assert!(eyes[0].abs() < 1e-6 && (0.05..0.12).contains(&eyes[1]) && eyes[2] > 0.04, "{eyes:?}");
+    assert_eq!(vrm["lookAt"]["type"], "bone");
+    // Whoever has no eyes has no way to look.
+    let mut bytes = Vec::new();
+    let links = on.figure.links();
+    let blind = links.iter().filter(|link| !link.name().ends_with("Eye"));
+    let blind = blind.fold(FigureBuilder::new("blind"), |builder, link| {
+        let joint = Joint::new(link.joint().name());
+        builder.link(match link.parent() {
+            Some(parent) => LinkSpec::child(link.name(), links[parent].name(), joint),
+            None => LinkSpec::root(link.name(), joint),
+        })
+    });
+    let blind = blind.build().expect("a figure");
+    glb::write(&[Actor { name: "Ann", figure: &blind, skin: None }], &[], VRM, &mut bytes).expect("written");
+    assert!(json(&bytes)["extensions"]["VRMC_vrm"]["lookAt"].is_null());
 }
 
 #[test]
