@@ -9,6 +9,9 @@ use solaris_model::{Base, Figure, Placement};
 
 const EXAMPLE: &str = "{\"ann\": Human(height: 1.75, mass: 73.0)}";
 
+/// How far (m) a figure may stand from the world's origin along an axis: half of how long a figure may be.
+const FARTHEST: f64 = 5e8;
+
 impl SceneReader<'_> {
     /// The figure, or all figures as one, and what the scene calls it; under this gravity, where the scene says one.
     pub(super) fn figures(
@@ -38,15 +41,14 @@ impl SceneReader<'_> {
         if !whole || found.is_empty() {
             return None;
         }
-        // Half of how far links may be from each other.
-        let is_beyond = |x: &f64| x.is_nan() || x.abs() > Figure::LONGEST / 2.0;
+        let is_beyond = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
         let is_far = |place: &Placement| place.translation.vector.iter().any(is_beyond);
         if let Some((member, place)) = members.iter().zip(&places).find(|(_, place)| is_far(place)) {
             let message = format!(
                 "'{}' stands {:e} m from the world's origin; it may be {:e} m at most",
                 member.name,
                 place.translation.vector.amax(),
-                Figure::LONGEST / 2.0
+                FARTHEST
             );
             self.reader.fault(fields.get("places").map_or(node.place(), Node::place), message);
             return None;
