@@ -21,8 +21,7 @@ pub(super) fn add(file: &mut File, actor: &Actor, skeleton: &Skeleton, detail: D
     let normals: Vec<[f32; 3]> = skin.normals.iter().map(|n| n.map(|x| x as f32).into()).collect();
     let colours: Vec<[u16; 2]> =
         skin.colours.iter().map(|place| [(f64::from(*place) * STEPS).round() as u16, 32_768]).collect();
-    let joints: Vec<[u16; 4]> = skin.influences.iter().map(|four| four.map(|i| i.link)).collect();
-    let weights: Vec<[u16; 4]> = skin.influences.iter().map(shares).collect();
+    let (joints, weights): (Vec<_>, Vec<_>) = skin.influences.iter().map(bound).unzip();
     let binds: Vec<[f32; 16]> = skin
         .bind
         .iter()
@@ -57,12 +56,14 @@ pub(super) fn add(file: &mut File, actor: &Actor, skeleton: &Skeleton, detail: D
     file.scene.push(node);
 }
 
-/// Shares in steps that are the whole together: the greatest takes what rounding leaves.
-fn shares(influences: &[Influence; 4]) -> [u16; 4] {
+/// The links of a vertex with their shares in steps, which are the whole together: the greatest takes what rounding leaves, and a share of no step
+/// has the first link, as glTF asks of those that count nothing.
+fn bound(influences: &[Influence; 4]) -> ([u16; 4], [u16; 4]) {
     let mut steps = influences.map(|i| (f64::from(i.share) * STEPS).round() as u16);
     let others: u32 = steps[1..].iter().map(|x| u32::from(*x)).sum();
     steps[0] = (STEPS as u32 - others) as u16;
-    steps
+    let links = std::array::from_fn(|i| if steps[i] > 0 { influences[i].link } else { 0 });
+    (links, steps)
 }
 
 #[cfg(test)]
@@ -71,11 +72,17 @@ mod tests {
 
     #[test]
     fn shares_are_the_whole_to_the_last_step() {
-        for parts in
-            [[1.0, 0.0, 0.0, 0.0], [0.4, 0.3, 0.2, 0.1], [0.25; 4], [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0]]
-        {
-            let steps = shares(&parts.map(|share| Influence { link: 0, share }));
+        for parts in [
+            [1.0, 0.0, 0.0, 0.0],
+            [0.4, 0.3, 0.2, 0.1],
+            [0.25; 4],
+            [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0],
+            [0.6, 0.399_995, 5e-6, 0.0],
+        ] {
+            let (links, steps) = bound(&parts.map(|share| Influence { link: 7, share }));
             assert_eq!(steps.iter().map(|x| u32::from(*x)).sum::<u32>(), 65_535, "{parts:?}");
+            let none = steps.iter().zip(&links).filter(|(step, _)| **step == 0);
+            assert!(none.into_iter().all(|(_, link)| *link == 0), "{links:?}, {steps:?}");
         }
     }
 }
