@@ -1,7 +1,7 @@
 //! Nodes beside a body: arrows for what the ground does, a ball at the centre of mass.
 
 use super::pack::VERTICES;
-use super::{Animation, File};
+use super::{Animation, File, keys};
 use crate::error::IoError;
 use crate::upright::upright;
 use serde_json::json;
@@ -22,7 +22,8 @@ pub(super) fn add(
     let [arrow, ball] = meshes(file);
     let world = upright(&motion.info.gravity);
     let start = motion.time()[0];
-    let times: Vec<f64> = motion.time().iter().map(|time| time - start).collect();
+    let samples = keys::told_apart(motion.time().iter().copied(), start);
+    let times: Vec<f64> = samples.iter().map(|sample| motion.time()[*sample] - start).collect();
     let input = file.pack.times(&times);
     let finite = |what: &str, v: &Vector3<f64>, time: f64| match v.iter().find(|x| !(**x as f32).is_finite())
     {
@@ -34,7 +35,8 @@ pub(super) fn add(
         let column = format!("{}.f", track.link);
         let (mut places, mut turns, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         let mut turn = UnitQuaternion::identity();
-        for (contact, time) in track.samples.iter().zip(motion.time()) {
+        for (contact, time) in samples.iter().map(|sample| (&track.samples[*sample], &motion.time()[*sample]))
+        {
             let force = world * contact.force;
             places.push(finite(&column, &(world * contact.cop), *time)?);
             let _: [f32; 3] = finite(&column, &force, *time)?;
@@ -66,8 +68,9 @@ pub(super) fn add(
     }
     if figure.mass() > 0.0 {
         let mut places = Vec::new();
-        for (sample, time) in motion.time().iter().enumerate() {
-            places.push(finite("centre of mass", &(world * centre(figure, motion.q(sample))), *time)?);
+        for sample in samples {
+            let time = motion.time()[sample];
+            places.push(finite("centre of mass", &(world * centre(figure, motion.q(sample))), time)?);
         }
         let node = file.node(json!({ "name": format!("{name} centre of mass"), "mesh": ball }));
         file.scene.push(node);

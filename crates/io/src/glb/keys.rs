@@ -10,10 +10,10 @@ pub(crate) struct Key {
     pub(crate) on: f64,
 }
 
-/// How near to a sample an event needs no key of its own, of the time between two.
+/// How near to a sample or to another event an event needs no key of its own, of the time between two samples.
 const NEAR: f64 = 0.02;
 
-/// The samples, and the contacts' events between them.
+/// The samples, and the contacts' events between them, in order; a file's times are of seven digits, and keys that would be one to it are one.
 pub(crate) fn times(motion: &Motion) -> Vec<Key> {
     let time = motion.time();
     let mut keys: Vec<Key> =
@@ -33,8 +33,22 @@ pub(crate) fn times(motion: &Motion) -> Vec<Key> {
         }
     }
     keys.sort_by(|a, b| a.time.total_cmp(&b.time));
-    keys.dedup_by(|a, b| a.time <= b.time);
-    keys
+    // Samples stay.
+    keys.dedup_by(|next, last| next.sample == last.sample && next.on - last.on < NEAR);
+    let apart = told_apart(keys.iter().map(|key| key.time), time[0]);
+    apart.into_iter().map(|i| keys[i]).collect()
+}
+
+/// Which of these times (s) are later than the one before, told from `start` on in the numbers of a file.
+pub(crate) fn told_apart(times: impl Iterator<Item = f64>, start: f64) -> Vec<usize> {
+    let mut last = f32::NEG_INFINITY;
+    let is_later = |(_, time): &(usize, f64)| {
+        let told = (time - start) as f32;
+        let later = told > last;
+        last = last.max(told);
+        later
+    };
+    times.enumerate().filter(is_later).map(|(i, _)| i).collect()
 }
 
 /// The positions at a key. Between samples each coordinate goes along the polynomial that has the positions of both, and their

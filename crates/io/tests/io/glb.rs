@@ -7,7 +7,7 @@ use solaris_gait::{WalkRequest, walk};
 use solaris_io::glb::{self, Actor, Clip, Detail, Options};
 use solaris_io::{ClipProblem, IoError};
 use solaris_model::{
-    EventKind, Figure, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, Shape, ShapeKind, SolePart,
+    Event, EventKind, Figure, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, Shape, ShapeKind, SolePart,
     Vector3, human,
 };
 
@@ -120,6 +120,32 @@ fn keys_are_the_samples_and_the_contacts_between_them() {
             between += usize::from(nearest < 1e-6);
         }
         assert!(between > 0 && keys.len() > motion.len(), "{rate}");
+    }
+}
+
+/// Many touches within a moment, as a heap has them, and a run so long that a file's numbers tell no two samples apart.
+#[test]
+fn keys_grow_where_the_file_s_numbers_cannot_tell_times_apart() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let mut motion = walked(&ann, 30.0);
+    let many = motion.events.iter().flat_map(|event| {
+        [0.0, 1e-9, 1e-8, 1e-4].map(|later| Event { time: event.time + later, ..event.clone() })
+    });
+    motion.events = many.collect();
+    let far = |time: &f64| time + if *time > 1.0 { 1e5 } else { 0.0 };
+    let times: Vec<f64> = motion.time().iter().map(far).collect();
+    let columns = [0, 1, 2].map(|which| {
+        let row = |sample| [motion.q(sample), motion.v(sample), motion.a(sample)][which].to_vec();
+        (0..motion.len()).flat_map(row).collect()
+    });
+    let long = Motion::new(&ann, motion.info.clone(), times, columns).expect("a motion");
+    for (motion, least) in [(&motion, motion.len() + 1), (&long, 31)] {
+        for forces in [false, true] {
+            let file = Read::of(&written(&ann, motion, Options { skin: None, forces, vrm: false }));
+            let keys = file.times("walk");
+            assert!(file.times_grow("walk"));
+            assert!(keys.len() >= least && keys.len() <= motion.len() + motion.events.len() / 4);
+        }
     }
 }
 

@@ -83,6 +83,11 @@ impl Read {
             .expect("a channel")
     }
 
+    /// Whether the times of all channels grow.
+    pub(crate) fn times_grow(&self, animation: &str) -> bool {
+        self.of_animation(animation).all(|channel| channel.times.windows(2).all(|pair| pair[0] < pair[1]))
+    }
+
     pub(crate) fn rotations(&self, animation: &str) -> Vec<Vec<Vector4<f64>>> {
         let turns = self.of_animation(animation).filter(|channel| channel.part == 1);
         turns.map(|channel| channel.values.iter().map(|q| Vector4::from_column_slice(q)).collect()).collect()
