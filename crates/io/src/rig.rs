@@ -24,8 +24,8 @@
 //! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
 //! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck; `LeftFingerBase` in the palm |
 //!
-//! CMU's `LHipJoint` is one of no length between pelvis and thigh. Unreal's `root` stays at the origin, on the ground under somebody who stands at rest; the pelvis
-//! has the whole motion, as Mixamo's `Hips` have it.
+//! CMU's `LHipJoint` is one of no length between pelvis and thigh. Unreal's `root` goes along the ground below the pelvis, faces where one goes, and does not
+//! sway with the steps: it has the root motion that games take from a clip. Where the others have no such bone, the pelvis has it all.
 //!
 //! Unreal's `upperarm_twist_01_l` and the like, two of them a limb at its thirds, turn about its axis: they share out how it is rolled, so that skin wrings nowhere
 //! ([`solaris_retarget::Roll`]).
@@ -37,6 +37,7 @@
 
 mod map;
 mod rigged;
+mod track;
 mod twist;
 
 pub use map::RigMap;
@@ -101,7 +102,7 @@ impl Rig {
         })
     }
 
-    /// What it calls the bone that stays on the ground at the origin, on which the pelvis hangs.
+    /// What it calls the bone on the ground on which the pelvis hangs.
     pub fn root(self) -> Option<&'static str> {
         (self == Self::Unreal).then_some("root")
     }

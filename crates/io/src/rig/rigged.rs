@@ -1,6 +1,7 @@
 //! The figure on a rig's bones, its motions and its skin.
 
 use super::RigMap;
+use super::track::{self, track};
 use super::twist::Limb;
 use crate::error::IoError;
 use solaris_model::{
@@ -57,7 +58,7 @@ impl Rigged {
         // At rest the soles are on the ground.
         let height = if root.is_some() { height(figure) } else { 0.0 };
         if let Some(root) = root {
-            builder = builder.link(LinkSpec::root(root, Joint::new("ground")));
+            builder = builder.link(LinkSpec::root(root, Joint::new("track").tx().ty().tz().ry()));
         }
         for (index, link) in figure.links().iter().enumerate() {
             let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
@@ -143,6 +144,8 @@ impl Rigged {
         let mut turned = vec![UnitQuaternion::identity(); figure.links().len()];
         let mut rolls = vec![[Roll::default(); 2]; self.limbs.len()];
         let joints = self.figure.layout().joints();
+        let has_track = self.bones.first().is_some_and(|pelvis| *pelvis > 0);
+        let track = if has_track { track(figure, motion) } else { Vec::new() };
         for (sample, bones) in q.chunks_exact_mut(nq).enumerate() {
             let row = motion.q(sample);
             for ((i, link), at) in figure.links().iter().enumerate().zip(figure.layout().joints()) {
@@ -153,7 +156,14 @@ impl Rigged {
                 turned[i] = turn;
                 let mut first = joints[self.bones[i]].q;
                 if link.parent().is_none() {
-                    let place = moved.translation.vector - Vector3::y() * self.height;
+                    let mut place = moved.translation.vector;
+                    if let Some(&[x, y, z, heading]) = track.get(sample) {
+                        bones[..4].copy_from_slice(&[x, y, z, heading]);
+                        let back = UnitQuaternion::from_scaled_axis(Vector3::y() * -heading);
+                        let at = link.joint().placement().translation.vector;
+                        place = back * (place + at - Vector3::new(x, y, z)) - at - Vector3::y() * self.height;
+                        turn = back * turn;
+                    }
                     bones[first..first + 3].copy_from_slice(place.as_slice());
                     first += 3;
                 }
@@ -222,17 +232,9 @@ impl Rigged {
             skin.influences[vertex as usize] = greatest(with.into_iter().map(own));
         }
         skin.parts.clear();
-        let mut skin = skin.rebound(&self.places_at_rest());
+        let mut skin = skin.rebound(&at_rest(&self.figure));
         self.share_twists(&mut skin);
         skin
-    }
-
-    /// Where all bones are in the rest pose.
-    fn places_at_rest(&self) -> Vec<Placement> {
-        let mut q = vec![0.0; self.figure.layout().nq()];
-        // The length is the figure's own.
-        let _ = self.figure.neutral(&mut q);
-        self.figure.places(&q)
     }
 
     /// Gives bones of twist what they have of a skin that is bound at rest.
@@ -273,15 +275,16 @@ fn greatest(influences: impl Iterator<Item = Influence>) -> [Influence; 4] {
 
 /// How high (m) above the ground the pelvis is where somebody stands at rest.
 fn height(figure: &Figure) -> f64 {
+    let places = at_rest(figure);
+    track::lowest(figure, &places).map_or(0.0, |lowest| places[0].translation.y - lowest)
+}
+
+/// Where all links are in the rest pose.
+fn at_rest(figure: &Figure) -> Vec<Placement> {
     let mut q = vec![0.0; figure.layout().nq()];
     // The length is the figure's own.
     let _ = figure.neutral(&mut q);
-    let places = figure.places(&q);
-    let soles = figure.links().iter().zip(&places).flat_map(|(link, place)| {
-        link.sole().iter().map(move |point| (place.translation.vector + place.rotation * point.position).y)
-    });
-    let lowest = soles.fold(f64::INFINITY, f64::min);
-    if lowest.is_finite() { places[0].translation.y - lowest } else { 0.0 }
+    figure.places(&q)
 }
 
 /// A person's link as a limb, if the rig has bones of twist in it.
