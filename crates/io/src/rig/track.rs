@@ -4,11 +4,14 @@ use solaris_model::{Figure, Interval, Motion, Placement, UnitQuaternion, Vector3
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-/// Over what time (s) a motion without steps is averaged.
+/// Over what time (s) a motion without strides is averaged, and up to what length as a whole: it may be a stride itself.
 const USUAL: f64 = 1.0;
-/// How near (rad or m) the posture at the end is to that at the beginning of what repeats itself.
+const LONGEST: f64 = 3.0;
+/// Times (s) that are one.
 const ALIKE: f64 = 1e-6;
-/// How fast (m/s) something moves about the pelvis in a loop of steps where it begins.
+/// How near (m) links are at the end to where they are at the beginning of what repeats itself.
+const SAME: f64 = 1e-4;
+/// How fast (m/s) something moves about the pelvis of who does not stand.
 const MOVES: f64 = 0.05;
 /// The least horizontal part of the pelvis's forward axis that says a heading.
 const LEVEL: f64 = 0.2;
@@ -19,21 +22,30 @@ pub(super) type Place = [f64; 4];
 /// The track below the pelvis in every sample of a `motion` of a person.
 ///
 /// Its place is the mean of the pelvis's over one stride, centred at each sample, its height that of the lowest point of the soles while something is planted, so that it is
-/// that of the ground. Towards both ends the time of the mean becomes shorter, so that it begins and ends right below the pelvis; a motion that ends in the posture
-/// in which it begins, as loops do, goes on before and after in place of that, and its track is as even as its pace.
+/// that of the ground. Beyond an end at which one walks, the stride next to it goes on, so that the track is as even there, and where one clip goes on from another it
+/// does not leap. Towards an end at which one stands the time of the mean becomes shorter: the track begins and ends there right below the pelvis.
 pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let below = below(figure, motion);
     let (n, time) = (below.len(), motion.time());
     if n < 2 {
         return below;
     }
-    let all = time[n - 1] - time[0];
-    let repeats = is_loop(figure, motion);
-    let width = stride(motion).unwrap_or(USUAL).min(all);
-    // What repeats itself has a whole number of them.
-    let width = if repeats { all / (all / width).round() } else { width };
-    // Once before, once after.
-    let (times, places) = if repeats { thrice(time, &below) } else { (time.to_vec(), below.clone()) };
+    let (all, strides) = (time[n - 1] - time[0], strides(motion));
+    let mut sorted = strides.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = if all <= LONGEST { all } else { USUAL };
+    let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
+    let [mut first, mut last] = [strides.first(), strides.last()].map(|stride| stride.copied());
+    if is_loop(figure, motion) {
+        // What repeats itself has a whole number of strides.
+        width = all / (all / width).round();
+        (first, last) = (Some(width), Some(width));
+    }
+    let sample = |at: f64| time.partition_point(|t| *t < at - ALIKE).min(n - 1);
+    let first = first.filter(|_| moves(figure, motion, [0, 1])).map(|stride| sample(time[0] + stride));
+    let last =
+        last.filter(|_| moves(figure, motion, [n - 2, n - 1])).map(|stride| sample(time[n - 1] - stride));
+    let (times, places) = gone_on(time, &below, first, last);
     let mean = Mean::of(&times, &places);
     let around = |time: f64| {
         let ends = (time - times[0]).min(times[times.len() - 1] - time);
@@ -104,60 +116,71 @@ fn stances<'a>(planted: impl Iterator<Item = &'a Interval>) -> Vec<(f64, f64)> {
     all
 }
 
-/// The time (s) from a foot's landing to its next, the median of all.
-fn stride(motion: &Motion) -> Option<f64> {
+/// The times (s) from a foot's landings to its next ones, in the order of the first.
+fn strides(motion: &Motion) -> Vec<f64> {
     let links: BTreeSet<usize> = motion.planted.iter().map(|planted| planted.link).collect();
     // What stands as the motion begins did not land then.
     let begin = motion.time()[0] + ALIKE;
     let of = |link: usize| {
         let mut stances = stances(motion.planted.iter().filter(move |planted| planted.link == link));
         stances.retain(|(start, _)| *start > begin);
-        stances
+        stances.windows(2).map(|two| (two[0].0, two[1].0 - two[0].0)).collect::<Vec<_>>()
     };
-    let strides = |stances: Vec<(f64, f64)>| -> Vec<f64> {
-        stances.windows(2).map(|two| two[1].0 - two[0].0).collect()
-    };
-    let mut times: Vec<f64> = links.into_iter().flat_map(|link| strides(of(link))).collect();
-    times.sort_by(f64::total_cmp);
-    times.get(times.len() / 2).copied()
+    let mut strides: Vec<(f64, f64)> = links.into_iter().flat_map(of).collect();
+    strides.sort_by(|a, b| a.0.total_cmp(&b.0));
+    strides.into_iter().map(|(_, stride)| stride).collect()
 }
 
-/// Whether it ends in the posture in which it begins and moves there: from standing to standing is no loop.
+/// Where the links are as the pelvis sees them that goes along the ground (m).
+fn posture(figure: &Figure, motion: &Motion, sample: usize) -> Vec<Vector3<f64>> {
+    let places = figure.places(motion.q(sample));
+    let ahead = places[0].rotation * Vector3::z();
+    let level = Vector3::new(places[0].translation.x, 0.0, places[0].translation.z);
+    let back = about_y(-ahead.x.atan2(ahead.z));
+    places.iter().map(|place| back * (place.translation.vector - level)).collect()
+}
+
+/// How far (m) links are apart in two samples, as the pelvis sees them, at most.
+fn apart(figure: &Figure, motion: &Motion, samples: [usize; 2]) -> f64 {
+    let [a, b] = samples.map(|sample| posture(figure, motion, sample));
+    a.iter().zip(&b).map(|(a, b)| (a - b).amax()).fold(0.0, f64::max)
+}
+
+/// Whether limbs move between two samples.
+fn moves(figure: &Figure, motion: &Motion, [from, to]: [usize; 2]) -> bool {
+    apart(figure, motion, [from, to]) > MOVES * (motion.time()[to] - motion.time()[from])
+}
+
+/// Whether it ends in the posture in which it begins.
 fn is_loop(figure: &Figure, motion: &Motion) -> bool {
-    let postures = [0, motion.len() - 1, 1].map(|sample| {
-        let places = figure.places(motion.q(sample));
-        let ahead = places[0].rotation * Vector3::z();
-        let level = Vector3::new(places[0].translation.x, 0.0, places[0].translation.z);
-        let back = about_y(-ahead.x.atan2(ahead.z));
-        let seen = |place: &Placement| back * (place.translation.vector - level);
-        places.iter().map(seen).collect::<Vec<_>>()
-    });
-    let off = |other: &[Vector3<f64>]| {
-        postures[0].iter().zip(other).map(|(a, b)| (a - b).amax()).fold(0.0, f64::max)
-    };
-    let moved = MOVES * (motion.time()[1] - motion.time()[0]);
-    off(&postures[1]) < ALIKE && off(&postures[2]) > moved
+    apart(figure, motion, [0, motion.len() - 1]) < SAME
 }
 
 fn about_y(angle: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_scaled_axis(Vector3::y() * angle)
 }
 
-/// What repeats itself, once more before and once more after.
-fn thrice(time: &[f64], places: &[Place]) -> (Vec<f64>, Vec<Place>) {
-    let n = places.len();
-    let (first, last) = (places[0], places[n - 1]);
-    let all = time[n - 1] - time[0];
-    // Where the place is that stands to `to` as this one does to `from`.
-    let moved = |place: &Place, from: &Place, to: &Place| {
-        let way = Vector3::new(place[0] - from[0], place[1] - from[1], place[2] - from[2]);
-        let way = about_y(to[3] - from[3]) * way;
-        [to[0] + way.x, to[1] + way.y, to[2] + way.z, place[3] + to[3] - from[3]]
+/// The samples up to `first` once more before the beginning, and those from `last` on once more after the end.
+fn gone_on(
+    time: &[f64],
+    places: &[Place],
+    first: Option<usize>,
+    last: Option<usize>,
+) -> (Vec<f64>, Vec<Place>) {
+    let end = places.len() - 1;
+    // What stands to the place of sample `to` as the place of sample `i` does to that of `from`.
+    let moved = |i: usize, from: usize, to: usize| {
+        let (place, from_place, to_place) = (&places[i], &places[from], &places[to]);
+        let turn = to_place[3] - from_place[3];
+        let way = about_y(turn) * Vector3::from_fn(|k, _| place[k] - from_place[k]);
+        let at = [to_place[0] + way.x, to_place[1] + way.y, to_place[2] + way.z, place[3] + turn];
+        (time[i] - time[from] + time[to], at)
     };
-    let before = (0..n - 1).map(|i| (time[i] - all, moved(&places[i], &last, &first)));
-    let own = (0..n).map(|i| (time[i], places[i]));
-    let after = (1..n).map(|i| (time[i] + all, moved(&places[i], &first, &last)));
-    before.chain(own).chain(after).unzip()
+    let before = first.into_iter().flat_map(|first| (0..first).map(move |i| (i, first, 0)));
+    let after = last.into_iter().flat_map(|last| (last + 1..=end).map(move |i| (i, last, end)));
+    let own = time.iter().copied().zip(places.iter().copied());
+    let made = |(i, from, to)| moved(i, from, to);
+    before.map(made).chain(own).chain(after.map(made)).unzip()
 }
 
 /// Means over any time of what goes straight on from sample to sample.

