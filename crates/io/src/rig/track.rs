@@ -35,7 +35,7 @@ pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     sorted.sort_by(f64::total_cmp);
     let usual = if all <= LONGEST { all } else { USUAL };
     let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
-    let [mut first, mut last] = [strides.first(), strides.last()].map(|stride| stride.copied());
+    let [mut first, mut last] = [strides.first(), strides.last()].map(Option::<&f64>::copied);
     if is_loop(figure, motion) {
         // What repeats itself has a whole number of strides.
         width = all / (all / width).round();
