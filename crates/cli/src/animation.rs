@@ -3,6 +3,7 @@
 use crate::args::{AskedRig, RigArgs};
 use crate::error::{CliError, UsageError};
 use crate::input::{self, extension};
+use crate::walk::without_last;
 use rayon::prelude::*;
 use solaris::io::bvh::{self, Unit};
 use solaris::io::glb::{Actor, Clip, Detail, Options, write};
@@ -26,19 +27,24 @@ pub(crate) struct Bones {
     pub(crate) arrows: bool,
 }
 
-/// One figure and its motion as bones, those of a `rig` where one is asked for.
+/// One figure and its motion as bones, those of a `rig` where one is asked for. What `repeats` itself is written without its last frame, which is its first one.
 pub(crate) fn bones(
     figure: &Figure,
     motion: &Motion,
+    repeats: bool,
     bones: &Bones,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    let Some(rig) = &bones.rig else {
-        return bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other);
+    let mut write = |figure: &Figure, motion: &Motion| {
+        // Cut on the rig: the track of its root is that of the whole.
+        let shorter = if repeats { Some(without_last(figure, motion)?) } else { None };
+        let motion = shorter.as_ref().unwrap_or(motion);
+        bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other)
     };
+    let Some(rig) = &bones.rig else { return write(figure, motion) };
     let on = Rigged::new(figure, rig).map_err(CliError::other)?;
     let motion = on.motion(figure, motion).map_err(CliError::other)?;
-    bvh::write(&on.figure, &motion, Unit::default(), &mut writer).map_err(CliError::other)
+    write(&on.figure, &motion)
 }
 
 /// What a body with its motion is written as.

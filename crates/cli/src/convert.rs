@@ -164,7 +164,7 @@ fn motion(
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
-            animation::bones(&body.figure, &motion, bones, writer)
+            animation::bones(&body.figure, &motion, false, bones, writer)
         }
         MotionFormat::Body(how) => {
             let Some(body) = &body else { return Ok(()) };

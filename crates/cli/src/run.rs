@@ -109,7 +109,7 @@ fn check_bones(outputs: &Outputs<Format>, scene: &Scene, bones: &Bones) -> Resul
     let start = Motion::new(figure, info, vec![0.0], [q.to_vec(), v.to_vec(), vec![0.0; v.len()]]);
     let start = start.map_err(CliError::other)?;
     outputs.try_out(|format| match format {
-        Format::Bvh => animation::bones(figure, &start, bones, &mut std::io::sink()),
+        Format::Bvh => animation::bones(figure, &start, false, bones, &mut std::io::sink()),
         // Of several figures those that are people have a rig's bones.
         Format::Body(BodyFormat::Glb) if scene.is_of_several() => Ok(()),
         Format::Body(_) => {
@@ -162,7 +162,7 @@ fn write(
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => animation::bones(figure, motion, bones, writer),
+        Format::Bvh => animation::bones(figure, motion, false, bones, writer),
         Format::Body(how) => {
             let several = scene.several(motion).map_err(CliError::other)?;
             if how == BodyFormat::Glb && !several.is_empty() {

@@ -80,8 +80,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let report = Report::new((figure.mass(), carried), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
-        let motion =
-            if matches!(format, Format::Html | Format::Svg | Format::Body(_)) { &motion } else { frames };
+        let motion = if matches!(format, Format::Csv | Format::Json) { frames } else { &motion };
         write(format, writer, &figure, motion, &report, files, &bones)
     })?;
     drop(progress);
@@ -152,7 +151,7 @@ fn write(
     let strip = &files.film;
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => animation::bones(figure, motion, bones, writer),
+        Format::Bvh => animation::bones(figure, motion, report.walk.repeats, bones, writer),
         Format::Body(how) => animation::body(how, figure, motion, "walk", bones, writer),
         Format::Html => {
             let options = PageOptions {

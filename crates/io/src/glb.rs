@@ -137,7 +137,7 @@ pub fn write(
     for clip in clips {
         let mut animation = Animation::default();
         for (who, motion) in &clip.motions {
-            let keys = keys::times(motion);
+            let keys = keys::told_apart(keys::times(motion), motion.time()[0]);
             let figure = actors[*who].figure;
             skeletons[*who].animate(&mut file, &mut animation, figure, motion, &keys)?;
             if options.forces {

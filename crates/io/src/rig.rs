@@ -1,6 +1,6 @@
 //! A person and a motion on the bones of an animator's rig: its names, its rest pose.
 //!
-//! The figure that comes of it has the same joints at the same places, whose links are called as the rig's bones are and whose frames
+//! The figure that comes of it has the person's joints at the same places, whose links are called as the rig's bones are and whose frames
 //! are turned so that **with all joints at zero it stands in the rig's rest pose**, every bone along the world's axes: x left, y up, z forward.
 //! So retargeting by names from a T pose (or the A pose of Unreal) finds what it looks for. Joints turn by quaternions.
 //!
@@ -24,8 +24,8 @@
 //! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
 //! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck; `LeftFingerBase` in the palm |
 //!
-//! CMU's `LHipJoint` is one of no length between pelvis and thigh. Unreal's `root` goes along the ground below the pelvis, faces where one goes, and does not
-//! sway with the steps: it has the root motion that games take from a clip. Where the others have no such bone, the pelvis has it all.
+//! CMU's `LHipJoint` is one of no length between pelvis and thigh. Unreal's `root` goes along the ground below the pelvis, faces where that faces, and does not
+//! sway with the steps: it is the figure's first link, with slides and one turn for a joint, and has the root motion that games take from a clip. Where the others have no such bone, the pelvis has it all.
 //!
 //! Unreal's `upperarm_twist_01_l` and the like, two of them a limb at its thirds, turn about its axis: they share out how it is rolled, so that skin wrings nowhere
 //! ([`solaris_retarget::Roll`]).
@@ -33,7 +33,7 @@
 //! Fingers and, of `Vrm` and `Unity`, eyes are such bones, too, each with what of the skin is its own, so that they can be posed: at rest fingers
 //! hang as they do in the skin, a little bent, their frames along the world's axes. `Cmu` has a thumb and one bone for the four fingers, `Smpl` none.
 //!
-//! Names of one's own are a [`RigMap`], which has no fingers. Local axes are the world's at rest, as VRM has it, not each program's own.
+//! Names of one's own are a [`RigMap`], which has no fingers, no root and no bones of twist. Local axes are the world's at rest, as VRM has it, not each program's own.
 
 mod map;
 mod rigged;

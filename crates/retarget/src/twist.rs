@@ -136,9 +136,9 @@ pub struct Roll {
 }
 
 impl Roll {
-    /// By how much `turn` turns about the unit vector `axis` (rad), `dt` (s) after the last time. Of one that lies nearly half a turn off the axis, which tells nothing,
+    /// By how much `turn` turns about `axis` (rad), `dt` (s) after the last time. Of one that lies nearly half a turn off the axis, which tells nothing,
     /// the angle stays.
-    pub fn follow(&mut self, axis: &Vector3<f64>, turn: &UnitQuaternion<f64>, dt: f64) -> f64 {
+    pub fn follow(&mut self, axis: &Unit<Vector3<f64>>, turn: &UnitQuaternion<f64>, dt: f64) -> f64 {
         self.more *= (-dt.max(0.0) / UNWINDING).exp();
         let (sine, cosine) = (turn.imag().dot(axis), turn.scalar());
         if sine.hypot(cosine) >= LEAST {

@@ -98,6 +98,12 @@ impl Member {
             Some(ContactTrack { link: self.own_name(&track.link)?, samples: moved(&track.samples, back) })
         });
         part.contacts.extend(own);
+        let planted = motion.planted.iter().filter_map(|planted| {
+            let link =
+                planted.link.checked_sub(self.link).filter(|link| *link < self.figure.links().len())?;
+            Some(Interval { link, ..planted.clone() })
+        });
+        part.planted.extend(planted);
         part.relief.clone_from(&motion.relief);
         Ok(part)
     }

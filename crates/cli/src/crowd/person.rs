@@ -198,7 +198,7 @@ impl<'a> Crowd<'a> {
             CrowdFormat::Glb => {
                 animation::body(BodyFormat::Glb, figure, motion, "walk", self.bones, &mut bytes)?;
             }
-            CrowdFormat::Bvh => animation::bones(figure, motion, self.bones, &mut bytes)?,
+            CrowdFormat::Bvh => animation::bones(figure, motion, false, self.bones, &mut bytes)?,
         }
         Ok(bytes)
     }

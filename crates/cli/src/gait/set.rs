@@ -6,10 +6,10 @@ use crate::error::CliError;
 use crate::output::{Formats, Outputs, is_folder, make_folder};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
-use crate::walk::{dressed, figure, heading_first, without_last};
+use crate::walk::{dressed, figure, heading_first};
 use crate::words::short;
 use serde::Serialize;
-use solaris::gait::set::{ClipSet, SetClip, SetRequest, clip_set};
+use solaris::gait::set::{ClipSet, SetRequest, clip_set};
 use solaris::gait::{GaitError, RequestError, WalkRequest};
 use solaris::model::Figure;
 use std::io::Write;
@@ -76,7 +76,7 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
         let all = paths.iter().map(|path| ("-o", path, CLIPS)).chain([("-o", &index, FILES)]);
         let mut clips = set.clips.iter();
         Outputs::new(all)?.write(|format, writer| match clips.next() {
-            Some(clip) => bones(&figure, clip, how, writer),
+            Some(clip) => animation::bones(&figure, &clip.motion, clip.repeats, how, writer),
             None => write(format, &figure, &set, how, writer),
         })?;
         written.push(format!("wrote {} clips and {INDEX} into {}", paths.len(), folder.display()));
@@ -101,12 +101,6 @@ fn refused(error: GaitError, args: &SetArgs) -> CliError {
 fn told<'a>(figure: &'a Figure, set: &'a ClipSet) -> Written<'a> {
     let axes = "y up, z forward, x left; m, s";
     Written { version: env!("CARGO_PKG_VERSION"), figure: figure.name(), axes, set }
-}
-
-/// A clip as motion capture: of a loop without its last frame, which is its first one.
-fn bones(figure: &Figure, clip: &SetClip, how: &Bones, writer: &mut dyn Write) -> Result<(), CliError> {
-    let shorter = if clip.repeats { Some(without_last(figure, &clip.motion)?) } else { None };
-    animation::bones(figure, shorter.as_ref().unwrap_or(&clip.motion), how, writer)
 }
 
 fn write(

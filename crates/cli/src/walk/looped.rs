@@ -13,7 +13,9 @@ pub(crate) fn without_last(figure: &Figure, motion: &Motion) -> Result<Motion, C
         rows(&|frame| motion.a(frame).to_vec()),
     ];
     let time = motion.time()[..frames].to_vec();
-    let mut shorter = Motion::new(figure, motion.info.clone(), time, columns).map_err(CliError::other)?;
+    let known = motion.known().clone();
+    let mut shorter =
+        Motion::recorded(figure, motion.info.clone(), time, columns, known).map_err(CliError::other)?;
     if motion.tau(0).is_some() {
         let tau = rows(&|frame| motion.tau(frame).unwrap_or_default().to_vec());
         shorter.set_tau(tau).map_err(CliError::other)?;

@@ -25,6 +25,8 @@ pub(super) struct Node {
     pub(super) end: Vector3<f64>,
     /// Whether its position is a channel: the root's, and that of a joint that slides.
     pub(super) is_placed: bool,
+    /// Whether it is free to go anywhere.
+    pub(super) is_free: bool,
     /// How its channels follow from the coordinates.
     pub(super) channels: Channels,
 }
@@ -71,6 +73,7 @@ impl Skeleton {
                 offset: placement.translation.vector,
                 end: end(link),
                 is_placed: i == 0 || slides,
+                is_free: i == 0 || link.joint().kind().is_floating(),
                 channels,
             });
             if let Some(parent) = link.parent() {

@@ -74,8 +74,8 @@ fn hierarchy(skeleton: &Skeleton, unit: Unit, out: &mut impl Write) -> io::Resul
         let (node, tabs) = (&skeleton.nodes[index], "\t".repeat(depth));
         let keyword = if index == 0 { "ROOT" } else { "JOINT" };
         let position = if node.is_placed { "6 Xposition Yposition Zposition" } else { "3" };
-        // Some readers add the root's offset to its position, some take the position in its place: zero means the same to both.
-        let offset = if index == 0 { Vector3::zeros() } else { node.offset };
+        // Some readers add the offset of what is free to its position, some take the position in its place: zero means the same to both.
+        let offset = if node.is_free { Vector3::zeros() } else { node.offset };
         writeln!(out, "{tabs}{keyword} {}\n{tabs}{{\n{tabs}\tOFFSET {}", node.name, lengths(offset, unit))?;
         write!(out, "{tabs}\tCHANNELS {position}")?;
         let axes = match &node.channels {

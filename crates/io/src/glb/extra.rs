@@ -22,8 +22,8 @@ pub(super) fn add(
     let [arrow, ball] = meshes(file);
     let world = upright(&motion.info.gravity);
     let start = motion.time()[0];
-    let samples = keys::told_apart(motion.time().iter().copied(), start);
-    let times: Vec<f64> = samples.iter().map(|sample| motion.time()[*sample] - start).collect();
+    let keys = keys::told_apart(keys::samples(motion), start);
+    let times: Vec<f64> = keys.iter().map(|key| key.time - start).collect();
     let input = file.pack.times(&times);
     let finite = |what: &str, v: &Vector3<f64>, time: f64| match v.iter().find(|x| !(**x as f32).is_finite())
     {
@@ -35,8 +35,8 @@ pub(super) fn add(
         let column = format!("{}.f", track.link);
         let (mut places, mut turns, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         let mut turn = UnitQuaternion::identity();
-        for (contact, time) in samples.iter().map(|sample| (&track.samples[*sample], &motion.time()[*sample]))
-        {
+        for key in &keys {
+            let (contact, time) = (&track.samples[key.sample], &key.time);
             let force = world * contact.force;
             places.push(finite(&column, &(world * contact.cop), *time)?);
             let _: [f32; 3] = finite(&column, &force, *time)?;
@@ -68,9 +68,9 @@ pub(super) fn add(
     }
     if figure.mass() > 0.0 {
         let mut places = Vec::new();
-        for sample in samples {
-            let time = motion.time()[sample];
-            places.push(finite("centre of mass", &(world * centre(figure, motion.q(sample))), time)?);
+        for key in keys {
+            let centre = world * centre(figure, motion.q(key.sample));
+            places.push(finite("centre of mass", &centre, key.time)?);
         }
         let node = file.node(json!({ "name": format!("{name} centre of mass"), "mesh": ball }));
         file.scene.push(node);

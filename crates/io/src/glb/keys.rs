@@ -13,11 +13,10 @@ pub(crate) struct Key {
 /// How near to a sample or to another event an event needs no key of its own, of the time between two samples.
 const NEAR: f64 = 0.02;
 
-/// The samples, and the contacts' events between them, in order; a file's times are of seven digits, and keys that would be one to it are one.
+/// The samples, and the contacts' events between them, in order.
 pub(crate) fn times(motion: &Motion) -> Vec<Key> {
     let time = motion.time();
-    let mut keys: Vec<Key> =
-        time.iter().enumerate().map(|(sample, time)| Key { time: *time, sample, on: 0.0 }).collect();
+    let mut keys = samples(motion);
     for event in &motion.events {
         if !matches!(event.kind, EventKind::TouchDown { .. } | EventKind::LiftOff { .. }) {
             continue;
@@ -35,20 +34,27 @@ pub(crate) fn times(motion: &Motion) -> Vec<Key> {
     keys.sort_by(|a, b| a.time.total_cmp(&b.time));
     // Samples stay.
     keys.dedup_by(|next, last| next.sample == last.sample && next.on - last.on < NEAR);
-    let apart = told_apart(keys.iter().map(|key| key.time), time[0]);
-    apart.into_iter().map(|i| keys[i]).collect()
+    keys
 }
 
-/// Which of these times (s) are later than the one before, told from `start` on in the numbers of a file.
-pub(crate) fn told_apart(times: impl Iterator<Item = f64>, start: f64) -> Vec<usize> {
-    let mut last = f32::NEG_INFINITY;
-    let is_later = |(_, time): &(usize, f64)| {
-        let told = (time - start) as f32;
-        let later = told > last;
-        last = last.max(told);
-        later
-    };
-    times.enumerate().filter(is_later).map(|(i, _)| i).collect()
+/// The samples alone.
+pub(crate) fn samples(motion: &Motion) -> Vec<Key> {
+    let keys = motion.time().iter().enumerate();
+    keys.map(|(sample, time)| Key { time: *time, sample, on: 0.0 }).collect()
+}
+
+/// Of keys that the numbers of a file, of seven digits from `start` (s) on, do not tell apart one: a sample before an event, the last of samples.
+pub(crate) fn told_apart(keys: Vec<Key>, start: f64) -> Vec<Key> {
+    let told = |key: &Key| (key.time - start) as f32;
+    let mut apart: Vec<Key> = Vec::with_capacity(keys.len());
+    for key in keys {
+        match apart.last_mut().filter(|last| told(last) >= told(&key)) {
+            None => apart.push(key),
+            Some(last) if key.on <= 0.0 => *last = key,
+            Some(_) => {}
+        }
+    }
+    apart
 }
 
 /// The positions at a key. Between samples each coordinate goes along the polynomial that has the positions of both, and their

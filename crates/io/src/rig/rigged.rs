@@ -5,7 +5,7 @@ use super::track::{self, track};
 use super::twist::Limb;
 use crate::error::IoError;
 use solaris_model::{
-    Figure, FigureBuilder, Inertia, Isometry3, Joint, Known, LinkSpec, Motion, Placement, Shape,
+    Figure, FigureBuilder, Inertia, Isometry3, Joint, Known, LinkSpec, Motion, Placement, Shape, Unit,
     UnitQuaternion, Vector3,
 };
 use solaris_retarget::Roll;
@@ -15,7 +15,7 @@ use std::collections::HashSet;
 /// A figure on a rig's bones.
 #[derive(Clone, Debug)]
 pub struct Rigged {
-    /// The figure: the person's links in their order, and the rig's other bones between them.
+    /// The figure: the person's links in their order, and the rig's other bones between them and, of a rig that has a root on the ground, before them.
     pub figure: Figure,
     /// For each link of the person, the bone that it is, an index of a link of [`Rigged::figure`].
     pub bones: Vec<usize>,
@@ -78,10 +78,10 @@ impl Rigged {
             let at = above.inverse() * link.joint().placement().translation.vector;
             let spec = match link.parent() {
                 None => {
-                    let joint = Joint::free("root").at(at + Vector3::y() * height);
+                    let joint = Joint::free("root");
                     match root {
-                        None => LinkSpec::root(name, joint),
-                        Some(root) => LinkSpec::child(name, root, joint),
+                        None => LinkSpec::root(name, joint.at(at)),
+                        Some(root) => LinkSpec::child(name, root, joint.at(Vector3::y() * height)),
                     }
                 }
                 Some(parent) => {
@@ -161,7 +161,7 @@ impl Rigged {
                         bones[..4].copy_from_slice(&[x, y, z, heading]);
                         let back = UnitQuaternion::from_scaled_axis(Vector3::y() * -heading);
                         let at = link.joint().placement().translation.vector;
-                        place = back * (place + at - Vector3::new(x, y, z)) - at - Vector3::y() * self.height;
+                        place = back * (place + at - Vector3::new(x, y, z)) - Vector3::y() * self.height;
                         turn = back * turn;
                     }
                     bones[first..first + 3].copy_from_slice(place.as_slice());
@@ -295,8 +295,10 @@ fn limb(figure: &Figure, rig: &RigMap, on: &Figure, link: usize, bones: &[usize]
     let twists = rig.twists().filter(|twist| twist.link == name);
     let twists = twists.filter_map(|twist| Some((on.link_index(twist.bone)?, twist.share))).collect();
     let way = on.links()[bones[next]].joint().placement().translation.vector;
+    // What has no length turns about nothing.
+    let (axis, length) = Unit::try_new_and_get(way, 1e-9)?;
     let is_last = ["hand", "foot"].iter().any(|end| toward.ends_with(end));
-    Some(Limb { link, next, bone: bones[link], way, twists, is_last })
+    Some(Limb { link, next, bone: bones[link], axis, length, twists, is_last })
 }
 
 /// The way in a link's frame (m) from its joint to that of the link called `toward`, or to its own tip.

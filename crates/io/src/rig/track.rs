@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// Over what time (s) a motion without strides is averaged, and up to what length as a whole: it may be a stride itself.
 const USUAL: f64 = 1.0;
 const LONGEST: f64 = 3.0;
-/// Times (s) that are one.
+/// Times (s) and heights (m) that are one.
 const ALIKE: f64 = 1e-6;
 /// How near (m) links are at the end to where they are at the beginning of what repeats itself.
 const SAME: f64 = 1e-4;
@@ -21,8 +21,9 @@ pub(super) type Place = [f64; 4];
 
 /// The track below the pelvis in every sample of a `motion` of a person.
 ///
-/// Its place is the mean of the pelvis's over one stride, centred at each sample, its height that of the lowest point of the soles while something is planted, so that it is
-/// that of the ground. Beyond an end at which one walks, the stride next to it goes on, so that the track is as even there, and where one clip goes on from another it
+/// Its place is the mean of the pelvis's over one stride, centred at each sample, its heading that of the pelvis (while that points up or down, as before), its height that of the
+/// lowest point of the soles while something is planted, so that it is that of the ground. Of a motion that says of nothing that it is planted the mean is over a second, and soles stand where
+/// they come no lower. Beyond an end at which one walks, the stride next to it goes on, so that the track is as even there, and where one clip goes on from another it
 /// does not leap. Towards an end at which one stands the time of the mean becomes shorter: the track begins and ends there right below the pelvis.
 pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let below = below(figure, motion);
@@ -35,17 +36,14 @@ pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     sorted.sort_by(f64::total_cmp);
     let usual = if all <= LONGEST { all } else { USUAL };
     let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
-    let [mut first, mut last] = [strides.first(), strides.last()].map(Option::<&f64>::copied);
-    if is_loop(figure, motion) {
-        // What repeats itself has a whole number of strides.
+    let [begins, ends] = [[0, 1], [n - 2, n - 1]].map(|samples| moves(figure, motion, samples));
+    let mut beyond = [strides.first().filter(|_| begins).copied(), strides.last().filter(|_| ends).copied()];
+    if (begins || ends) && is_loop(figure, motion) {
+        // What repeats itself goes on as a whole, and has a whole number of strides.
         width = all / (all / width).round();
-        (first, last) = (Some(width), Some(width));
+        beyond = [Some(all); 2];
     }
-    let sample = |at: f64| time.partition_point(|t| *t < at - ALIKE).min(n - 1);
-    let first = first.filter(|_| moves(figure, motion, [0, 1])).map(|stride| sample(time[0] + stride));
-    let last =
-        last.filter(|_| moves(figure, motion, [n - 2, n - 1])).map(|stride| sample(time[n - 1] - stride));
-    let (times, places) = gone_on(time, &below, first, last);
+    let (times, places) = gone_on(time, &below, beyond);
     let mean = Mean::of(&times, &places);
     let around = |time: f64| {
         let ends = (time - times[0]).min(times[times.len() - 1] - time);
@@ -62,6 +60,7 @@ fn below(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let mut heights: Vec<Option<f64>> = Vec::with_capacity(motion.len());
     let stances = stances(motion.planted.iter());
     let mut heading = 0.0;
+    let mut lows: Vec<Option<f64>> = Vec::with_capacity(motion.len());
     for (sample, time) in motion.time().iter().enumerate() {
         let places = figure.places(motion.q(sample));
         let ahead = places[0].rotation * Vector3::z();
@@ -73,9 +72,19 @@ fn below(figure: &Figure, motion: &Motion) -> Vec<Place> {
         found.push([at.x, 0.0, at.z, heading]);
         let next = stances.partition_point(|(start, _)| start <= time);
         let stands = next > 0 && *time <= stances[next - 1].1;
-        heights.push(stands.then(|| lowest(figure, &places)).flatten());
+        let low = lowest(figure, &places);
+        heights.push(low.filter(|_| stands));
+        lows.push(low);
     }
-    for (place, height) in found.iter_mut().zip(between(&heights)) {
+    if stances.is_empty() {
+        // Where nothing says what stands: the soles do where they come no lower for a while.
+        let is_least = |i: &usize| {
+            let about = i.saturating_sub(1)..(i + 2).min(lows.len());
+            lows[*i].is_some_and(|low| lows[about].iter().flatten().all(|other| low <= *other + ALIKE))
+        };
+        heights = (0..lows.len()).map(|i| lows[i].filter(|_| is_least(&i))).collect();
+    }
+    for (place, height) in found.iter_mut().zip(between(&heights, motion.time())) {
         place[1] = height;
     }
     found
@@ -89,19 +98,19 @@ pub(super) fn lowest(figure: &Figure, places: &[Placement]) -> Option<f64> {
     soles.reduce(f64::min)
 }
 
-/// What is known, and straight on between; before and after that as there, and zero where nothing is known.
-fn between(known: &[Option<f64>]) -> Vec<f64> {
-    let told: Vec<(usize, f64)> = known.iter().enumerate().filter_map(|(i, x)| Some((i, (*x)?))).collect();
-    let at = |i: usize| {
-        let after = told.partition_point(|(k, _)| *k <= i);
+/// What is known at some of these times (s), and straight on between; before and after that as there, and zero where nothing is known.
+fn between(known: &[Option<f64>], time: &[f64]) -> Vec<f64> {
+    let told: Vec<(f64, f64)> = known.iter().zip(time).filter_map(|(x, time)| Some((*time, (*x)?))).collect();
+    let at = |time: &f64| {
+        let after = told.partition_point(|(t, _)| t <= time);
         match (after.checked_sub(1).map(|before| told[before]), told.get(after)) {
-            (Some((j, a)), Some((k, b))) => a + (b - a) * (i - j) as f64 / (k - j) as f64,
+            (Some((from, a)), Some((to, b))) => a + (b - a) * (time - from) / (to - from),
             (Some((_, a)), None) => a,
             (None, Some((_, b))) => *b,
             (None, None) => 0.0,
         }
     };
-    (0..known.len()).map(at).collect()
+    time.iter().map(at).collect()
 }
 
 /// From when until when (s) something is planted, in order: times that touch are one, as those of a foot's points that it rolls over.
@@ -160,27 +169,40 @@ fn about_y(angle: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_scaled_axis(Vector3::y() * angle)
 }
 
-/// The samples up to `first` once more before the beginning, and those from `last` on once more after the end.
-fn gone_on(
-    time: &[f64],
-    places: &[Place],
-    first: Option<usize>,
-    last: Option<usize>,
-) -> (Vec<f64>, Vec<Place>) {
+/// The places with the first so many seconds once more before the beginning, and the last so many once more after the end.
+fn gone_on(time: &[f64], places: &[Place], [first, last]: [Option<f64>; 2]) -> (Vec<f64>, Vec<Place>) {
     let end = places.len() - 1;
-    // What stands to the place of sample `to` as the place of sample `i` does to that of `from`.
-    let moved = |i: usize, from: usize, to: usize| {
-        let (place, from_place, to_place) = (&places[i], &places[from], &places[to]);
-        let turn = to_place[3] - from_place[3];
-        let way = about_y(turn) * Vector3::from_fn(|k, _| place[k] - from_place[k]);
-        let at = [to_place[0] + way.x, to_place[1] + way.y, to_place[2] + way.z, place[3] + turn];
-        (time[i] - time[from] + time[to], at)
+    // What stands to the place `to` as this place does to that of `from`.
+    let moved = |place: &Place, from: &Place, to: &Place| {
+        let turn = to[3] - from[3];
+        let way = about_y(turn) * Vector3::from_fn(|k, _| place[k] - from[k]);
+        [to[0] + way.x, to[1] + way.y, to[2] + way.z, place[3] + turn]
     };
-    let before = first.into_iter().flat_map(|first| (0..first).map(move |i| (i, first, 0)));
-    let after = last.into_iter().flat_map(|last| (last + 1..=end).map(move |i| (i, last, end)));
-    let own = time.iter().copied().zip(places.iter().copied());
-    let made = |(i, from, to)| moved(i, from, to);
-    before.map(made).chain(own).chain(after.map(made)).unzip()
+    let (mut times, mut found) = (Vec::new(), Vec::new());
+    if let Some(seconds) = first {
+        let from = at(time, places, time[0] + seconds);
+        for i in (0..=end).take_while(|i| time[*i] < time[0] + seconds - ALIKE) {
+            times.push(time[i] - seconds);
+            found.push(moved(&places[i], &from, &places[0]));
+        }
+    }
+    times.extend(time);
+    found.extend(places);
+    if let Some(seconds) = last {
+        let from = at(time, places, time[end] - seconds);
+        for i in (0..=end).filter(|i| time[*i] > time[end] - seconds + ALIKE) {
+            times.push(time[i] + seconds);
+            found.push(moved(&places[i], &from, &places[end]));
+        }
+    }
+    (times, found)
+}
+
+/// The place at a time (s), straight on between samples.
+fn at(time: &[f64], places: &[Place], when: f64) -> Place {
+    let after = time.partition_point(|t| *t <= when).clamp(1, time.len() - 1);
+    let part = ((when - time[after - 1]) / (time[after] - time[after - 1])).clamp(0.0, 1.0);
+    std::array::from_fn(|k| places[after - 1][k] + part * (places[after][k] - places[after - 1][k]))
 }
 
 /// Means over any time of what goes straight on from sample to sample.

@@ -1,6 +1,6 @@
 //! Bones that share out how a limb turns about its own axis, and their part of its skin.
 
-use solaris_model::{UnitQuaternion, Vector3};
+use solaris_model::{Unit, UnitQuaternion, Vector3};
 use solaris_retarget::Roll;
 use solaris_skin::Influence;
 
@@ -12,8 +12,9 @@ pub(super) struct Limb {
     pub(super) next: usize,
     /// The bone that the link is.
     pub(super) bone: usize,
-    /// From its joint to the next in the bone's frame (m).
-    pub(super) way: Vector3<f64>,
+    /// The direction from its joint to the next in the bone's frame, and how far that is (m).
+    pub(super) axis: Unit<Vector3<f64>>,
+    pub(super) length: f64,
     /// The bones of twist from the joint on, each with how far along it is, from 0 to 1.
     pub(super) twists: Vec<(usize, f64)>,
     /// Whether the next one's turn about the limb's axis is the limb's as well: a hand's, a foot's, and not what an elbow or a knee gives.
@@ -35,18 +36,17 @@ impl Limb {
         rolls: &mut [Roll; 2],
         dt: f64,
     ) -> impl Iterator<Item = (usize, UnitQuaternion<f64>)> + '_ {
-        let axis = self.way.normalize();
-        let own = rolls[0].follow(&axis, &turns[self.link], dt);
-        let next = if self.is_last { rolls[1].follow(&axis, &turns[self.next], dt) } else { 0.0 };
+        let own = rolls[0].follow(&self.axis, &turns[self.link], dt);
+        let next = if self.is_last { rolls[1].follow(&self.axis, &turns[self.next], dt) } else { 0.0 };
         let turn =
-            move |share: f64| UnitQuaternion::from_scaled_axis(axis * (share * next - (1.0 - share) * own));
+            move |share: f64| UnitQuaternion::from_axis_angle(&self.axis, share * next - (1.0 - share) * own);
         self.twists.iter().map(move |(bone, share)| (*bone, turn(*share)))
     }
 
     /// Shares out what a vertex has of the limb, which is at `from_joint` (m) in its bone's frame: among the two bones of twist that it is between, before the
     /// first to that one, and beyond the last to that one, or of what ends at an elbow or a knee more and more to the limb's own bone.
     pub(super) fn shared(&self, from_joint: &Vector3<f64>, share: f32) -> [Influence; 2] {
-        let along = from_joint.dot(&self.way) / self.way.norm_squared();
+        let along = from_joint.dot(&self.axis) / self.length;
         let own = (!self.is_last).then_some((self.bone, 1.0));
         let stops = || self.twists.iter().copied().chain(own);
         let before = stops().take_while(|(_, at)| *at <= along).last();

@@ -388,6 +388,13 @@ fn somebody_stands_on_unreal_s_root_at_rest() {
         all.flat_map(|(link, place)| link.sole().iter().map(move |p| place * Point3::from(p.position)));
     let lowest = soles.map(|point| point.y).fold(f64::INFINITY, f64::min);
     assert!(lowest.abs() < 1e-12 && places[0] == nalgebra::Isometry3::identity(), "{lowest} m");
+
+    // Wherever somebody stands in a scene.
+    let elsewhere = nalgebra::Isometry3::translation(3.0, 1.0, -2.0);
+    let placed = Rigged::new(&figure.placed(&elsewhere), Rig::Unreal).expect("on the rig");
+    for (ours, theirs) in placed.figure.places(&q).iter().zip(&places) {
+        assert!((ours.translation.vector - theirs.translation.vector).norm() < 1e-12);
+    }
 }
 
 /// The track of Unreal's root and the way of the pelvis, a row a sample: to the left, up, ahead (m), heading (rad).
@@ -512,7 +519,11 @@ fn the_root_turns_with_the_way_and_climbs_with_the_ground() {
     let [root, _] = tracks(&figure, &motion);
     let last = root.last().expect("a row");
     assert!(last[1] > 0.3, "{last:?}");
-    for row in &root {
+    // And of a motion of a table, which says of nothing that it stands.
+    let mut told = motion.clone();
+    told.planted.clear();
+    let [of_a_table, _] = tracks(&figure, &told);
+    for row in root.iter().chain(&of_a_table) {
         assert!((row[1] - 0.1_f64.tan() * row[2]).abs() < 0.03, "{row:?}");
     }
 }

@@ -3,7 +3,7 @@
 use crate::fixtures::fixture;
 use nalgebra::{UnitQuaternion, Vector3};
 use solaris_dynamics::{Tree, Workspace, momentum};
-use solaris_model::EventKind;
+use solaris_model::{EventKind, Link};
 use solaris_scene::{NoFiles, Simulated, read};
 
 const ANN: &str = "Human(height: 1.65, mass: 58.0)";
@@ -236,6 +236,14 @@ fn each_of_several_has_its_part() {
         }
     }
     assert!(all[0].motion.contacts.is_empty() && all[1].motion.contacts.len() == 2);
+    // What stands of all stands of his, on the same spot of the same foot.
+    assert!(all[0].motion.planted.is_empty() && motion.planted.len() > 3);
+    assert_eq!(all[1].motion.planted.len(), motion.planted.len());
+    for (of_all, own) in motion.planted.iter().zip(&all[1].motion.planted) {
+        let names = [&scene.figure().links()[of_all.link], &all[1].figure.links()[own.link]].map(Link::name);
+        assert_eq!(names[0], format!("bob.{}", names[1]));
+        assert_eq!((of_all.point, of_all.start, of_all.end), (own.point, own.start, own.end));
+    }
     assert_eq!(all[1].motion.events.len(), motion.events.len());
     let single =
         read(&format!("Scene(version: 1, figures: {{\"ann\": {ANN}}}, duration: 0.1)"), &mut NoFiles);

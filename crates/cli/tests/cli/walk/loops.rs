@@ -32,6 +32,21 @@ fn a_loop_has_the_rate_that_is_asked_for_and_ends_before_it_begins_again() {
     );
 }
 
+/// The last frame is cut after the root has its track from the whole loop.
+#[test]
+fn the_root_of_a_loop_s_bones_goes_straight_on() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let args = ["walk", "--loop", "moving", "--rig", "unreal", "--rate", "60", "-o", "loop.bvh"];
+    succeeded(&solaris(folder.path(), &args));
+    let (_, rows) = bvh(&read(&folder.path().join("loop.bvh")));
+    // To the left, up, ahead (cm); about three axes (°). Six digits are written.
+    for two in rows.windows(2) {
+        let steps: Vec<f64> = (0..6).map(|k| two[1][k] - two[0][k]).collect();
+        let still = [0, 1, 3, 4, 5].map(|k| steps[k].abs()).into_iter().fold(0.0, f64::max);
+        assert!(still < 1e-5 && (steps[2] - (rows[1][2] - rows[0][2])).abs() < 1e-5, "{steps:?}");
+    }
+}
+
 #[test]
 fn a_walk_has_the_rate_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
