@@ -23,7 +23,7 @@ pub(super) type Place = [f64; 4];
 ///
 /// Its place is the mean of the pelvis's over one stride, centred at each sample, its heading that of the pelvis (while that points up or down, as before), its height that of the
 /// lowest point of the soles while something is planted, so that it is that of the ground. Of a motion that says of nothing that it is planted the mean is over a second, and soles stand where
-/// they come no lower. Beyond an end at which one walks, the stride next to it goes on, so that the track is as even there, and where one clip goes on from another it
+/// they come no lower; without soles the track is at height zero. Beyond an end at which one walks, the stride next to it goes on, so that the track is as even there, and where one clip goes on from another it
 /// does not leap. Towards an end at which one stands the time of the mean becomes shorter: the track begins and ends there right below the pelvis.
 pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let below = below(figure, motion);
@@ -77,12 +77,16 @@ fn below(figure: &Figure, motion: &Motion) -> Vec<Place> {
         lows.push(low);
     }
     if stances.is_empty() {
-        // Where nothing says what stands: the soles do where they come no lower for a while.
-        let is_least = |i: &usize| {
-            let about = i.saturating_sub(1)..(i + 2).min(lows.len());
-            lows[*i].is_some_and(|low| lows[about].iter().flatten().all(|other| low <= *other + ALIKE))
+        // Where nothing says what stands: the soles do where they come no lower for a while. At an end what falls is not there yet.
+        let is_least = |i: usize| {
+            let is_end = i == 0 || i + 1 == lows.len();
+            let about = lows[i.saturating_sub(1)..(i + 2).min(lows.len())].iter().flatten();
+            let holds = |low: f64| {
+                about.clone().all(|other| low <= other + ALIKE && (!is_end || low >= other - ALIKE))
+            };
+            lows[i].is_some_and(holds)
         };
-        heights = (0..lows.len()).map(|i| lows[i].filter(|_| is_least(&i))).collect();
+        heights = (0..lows.len()).map(|i| lows[i].filter(|_| is_least(i))).collect();
     }
     for (place, height) in found.iter_mut().zip(between(&heights, motion.time())) {
         place[1] = height;

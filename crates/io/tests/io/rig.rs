@@ -505,6 +505,23 @@ fn roots_of_clips_that_follow_each_other_do_not_leap() {
 }
 
 #[test]
+fn who_falls_has_a_root_at_height_zero() {
+    let figure = Human::new(1.75, 73.0).build().expect("a person");
+    let layout = figure.layout();
+    let time: Vec<f64> = (0..31).map(|i| f64::from(i) / 30.0).collect();
+    let falls = time.iter().flat_map(|time| {
+        let mut row = vec![0.0; layout.nq()];
+        row[1] = -4.9 * time * time;
+        row
+    });
+    let still = vec![0.0; layout.nv() * time.len()];
+    let columns = [falls.collect(), still.clone(), still];
+    let motion = Motion::new(&figure, MotionInfo::on_earth(&figure, 30.0), time, columns).expect("a motion");
+    let [root, pelvis] = tracks(&figure, &motion);
+    assert!(root.iter().all(|row| row[1] == 0.0) && pelvis[30][1] < pelvis[0][1] - 4.0);
+}
+
+#[test]
 fn the_root_turns_with_the_way_and_climbs_with_the_ground() {
     let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().expect("a person");
     let turning = WalkRequest { extent: Extent::Steps(10), turn: 0.35, ..WalkRequest::default() };
