@@ -9,6 +9,9 @@ use solaris::model::nearest;
 use solaris::profiles::{self, Answers, Curve, Kind, Parameter, ProfileCurve, Quantity, Turn, text};
 use std::collections::BTreeMap;
 
+/// Of more times than these others may run meanwhile.
+const MANY: usize = 1000;
+
 /// A curve of one degree of freedom over a span of time: its kind and its parameters, as `kinds()` lists them.
 ///
 /// `Profile(kind, …)` takes the parameters by keyword, `from_` in place of `from`; those that are optional are zero. Kinds through keys have
@@ -44,13 +47,25 @@ impl Profile {
         let single = t.extract::<f64>().is_ok();
         let mut shape = if single { Vec::new() } else { times.shape().to_vec() };
         shape.extend(width);
-        let mut numbers = Vec::with_capacity(times.len() * width.unwrap_or(1));
-        for (i, time) in times.as_slice().unwrap_or_default().iter().enumerate() {
-            if !time.is_finite() {
-                return Err(value(format!("t holds {time} at {i}; it must be a finite number")));
+        let width = width.unwrap_or(1);
+        let sampled = |times: &[f64]| {
+            let mut numbers = Vec::with_capacity(times.len() * width);
+            for (i, time) in times.iter().enumerate() {
+                if !time.is_finite() {
+                    return Err(value(format!("t holds {time} at {i}; it must be a finite number")));
+                }
+                numbers.extend_from_slice(&self.curve.at(*time).to_array()[..width]);
             }
-            numbers.extend_from_slice(&self.curve.at(*time).to_array()[..width.unwrap_or(1)]);
-        }
+            Ok(numbers)
+        };
+        let given = times.as_slice().unwrap_or_default();
+        let numbers = if given.len() > MANY {
+            // Others may write to the array meanwhile.
+            let own = given.to_vec();
+            t.py().detach(|| sampled(&own))?
+        } else {
+            sampled(given)?
+        };
         PyArray1::from_vec(t.py(), numbers).reshape(&shape[..])
     }
 }
