@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Over what time (s) a motion without strides is averaged, and up to what length as a whole: it may be a stride itself.
 const USUAL: f64 = 1.0;
-const LONGEST: f64 = 3.0;
+const WHOLE: f64 = 3.0;
 /// Times (s) and heights (m) that are one.
 const ALIKE: f64 = 1e-6;
 /// How near (m) links are at the end to where they are at the beginning of what repeats itself.
@@ -34,7 +34,7 @@ pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let (all, strides) = (time[n - 1] - time[0], strides(motion));
     let mut sorted = strides.clone();
     sorted.sort_by(f64::total_cmp);
-    let usual = if all <= LONGEST { all } else { USUAL };
+    let usual = if all <= WHOLE { all } else { USUAL };
     let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
     let [begins, ends] = [[0, 1], [n - 2, n - 1]].map(|samples| moves(figure, motion, samples));
     let mut beyond = [strides.first().filter(|_| begins).copied(), strides.last().filter(|_| ends).copied()];
