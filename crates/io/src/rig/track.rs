@@ -4,7 +4,7 @@ use solaris_model::{Figure, Interval, Motion, Placement, UnitQuaternion, Vector3
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-/// Over what time (s) a motion without strides is averaged, and up to what length as a whole: it may be a stride itself.
+/// Over what time (s) a motion without strides is averaged; a loop up to so long (s) as a whole, which may be a stride itself.
 const USUAL: f64 = 1.0;
 const WHOLE: f64 = 3.0;
 /// Times (s) and heights (m) that are one.
@@ -34,11 +34,12 @@ pub(super) fn track(figure: &Figure, motion: &Motion) -> Vec<Place> {
     let (all, strides) = (time[n - 1] - time[0], strides(motion));
     let mut sorted = strides.clone();
     sorted.sort_by(f64::total_cmp);
-    let usual = if all <= WHOLE { all } else { USUAL };
-    let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
     let [begins, ends] = [[0, 1], [n - 2, n - 1]].map(|samples| moves(figure, motion, samples));
+    let repeats = (begins || ends) && is_loop(figure, motion);
+    let usual = if repeats && all <= WHOLE { all } else { USUAL };
+    let mut width = sorted.get(sorted.len() / 2).copied().unwrap_or(usual).min(all);
     let mut beyond = [strides.first().filter(|_| begins).copied(), strides.last().filter(|_| ends).copied()];
-    if (begins || ends) && is_loop(figure, motion) {
+    if repeats {
         // What repeats itself goes on as a whole, and has a whole number of strides.
         width = all / (all / width).round();
         beyond = [Some(all); 2];
