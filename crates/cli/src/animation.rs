@@ -47,6 +47,11 @@ pub(crate) fn bones(
     write(&on.figure, &motion)
 }
 
+/// Somebody on the bones of a rig, with the axes that these have at home.
+fn rigged(figure: &Figure, rig: &RigMap) -> Result<Rigged, CliError> {
+    Rigged::new(figure, rig.clone().with_own_axes()).map_err(CliError::other)
+}
+
 /// What a body with its motion is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BodyFormat {
@@ -72,7 +77,7 @@ pub(crate) fn body(
     let Some(rig) = &bones.rig else {
         return usd::write(figure, &skin(figure, detail), clip, motion, &mut writer).map_err(CliError::other);
     };
-    let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+    let on = rigged(figure, rig)?;
     let motion = on.motion(figure, motion).map_err(CliError::other)?;
     usd::write(&on.figure, &on.skin(figure, detail), clip, &motion, &mut writer).map_err(CliError::other)
 }
@@ -94,7 +99,7 @@ pub(crate) fn clips(
     let Some(rig) = &bones.rig else {
         return write(Actor { name: figure.name(), figure, skin: None }, motions);
     };
-    let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+    let on = rigged(figure, rig)?;
     let skin = on.skin(figure, options.skin.unwrap_or_default());
     let moved = motions.iter().map(|(_, motion)| on.motion(figure, motion));
     let moved = moved.collect::<Result<Vec<_>, _>>().map_err(CliError::other)?;
@@ -120,7 +125,7 @@ pub(crate) fn scene(all: &[OneOfSeveral], bones: &Bones, mut writer: &mut dyn Wr
         let Some(rig) = bones.rig.as_ref().filter(|_| is_person(one)) else {
             return Ok((figure.clone(), motion.clone(), skin(alone, detail)));
         };
-        let on = Rigged::new(alone, rig).map_err(CliError::other)?;
+        let on = rigged(alone, rig)?;
         let place = figure.links()[0].joint().placement() * alone.links()[0].joint().placement().inverse();
         let mut own = motion.clone();
         own.info.fingerprint = alone.fingerprint();
@@ -149,7 +154,7 @@ pub(crate) fn crowd(people: &[Person], bones: &Bones, mut writer: &mut dyn Write
         return write(&actors, people.iter().map(|person| &person.motion).enumerate().collect());
     };
     let rigged = people.par_iter().map(|Person { figure, motion, .. }| {
-        let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+        let on = rigged(figure, rig)?;
         let motion = on.motion(figure, motion).map_err(CliError::other)?;
         let skin = on.skin(figure, Detail::Rough);
         Ok((on.figure, motion, skin))

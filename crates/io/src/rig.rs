@@ -1,8 +1,9 @@
 //! A person and a motion on the bones of an animator's rig: its names, its rest pose.
 //!
 //! The figure that comes of it has the person's joints at the same places, whose links are called as the rig's bones are and whose frames
-//! are turned so that **with all joints at zero it stands in the rig's rest pose**, every bone along the world's axes: x left, y up, z forward.
-//! So retargeting by names from a T pose (or the A pose of Unreal) finds what it looks for. Joints turn by quaternions.
+//! are turned so that **with all joints at zero it stands in the rig's rest pose**, every bone along the world's axes: x left, y up, z forward, or, by
+//! [`RigMap::with_own_axes`], as the rig's own characters have them: Mixamo's y along the bone, Unreal's x. So retargeting by names from a T pose (or the A pose of
+//! Unreal) finds what it looks for, and with own axes a clip plays on such a character as it is. Joints turn by quaternions.
 //!
 //! | rig | names | rest |
 //! |---|---|---|
@@ -33,8 +34,9 @@
 //! Fingers and, of `Vrm` and `Unity`, eyes are such bones, too, each with what of the skin is its own, so that they can be posed: at rest fingers
 //! hang as they do in the skin, a little bent, their frames along the world's axes. `Cmu` has a thumb and one bone for the four fingers, `Smpl` none.
 //!
-//! Names of one's own are a [`RigMap`], which has no fingers, no root and no bones of twist. Local axes are the world's at rest, as VRM has it, not each program's own.
+//! Names of one's own are a [`RigMap`], which has no fingers, no root, no bones of twist and no axes of its own.
 
+mod axes;
 mod map;
 mod rigged;
 mod track;

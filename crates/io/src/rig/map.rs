@@ -1,5 +1,6 @@
 //! Names of bones and a rest pose, as somebody wrote them down.
 
+use super::axes::Axes;
 use super::{Along, BETWEEN, NAMES, Rest, Rig, TWISTS};
 use solaris_text::{Reader, TextError, nearest, parse};
 
@@ -19,6 +20,7 @@ const EXAMPLE: &str = "Rig(rest: T, bones: {\"pelvis\": \"Hips\", \"left_thigh\"
 pub struct RigMap {
     rig: Option<Rig>,
     rest: Rest,
+    has_own_axes: bool,
     /// The bone of every link of a human.
     bones: Vec<(&'static str, String)>,
 }
@@ -33,7 +35,7 @@ impl RigMap {
     pub fn read(text: &str) -> Result<Self, TextError> {
         let tree = parse(text, "map of a rig", EXAMPLE)?;
         let mut reader = Reader::default();
-        let mut map = Self { rig: None, rest: Rest::T, bones: Vec::new() };
+        let mut map = Self { rig: None, rest: Rest::T, has_own_axes: false, bones: Vec::new() };
         if let Some(fields) = reader.fields(&tree, &["Rig"], &["rest", "bones"]) {
             map.rest = match fields.get("rest").and_then(|node| reader.word(node, &["T", "A", "own"])) {
                 Some("A") => Rest::A,
@@ -79,6 +81,22 @@ impl RigMap {
         Ok(map)
     }
 
+    /// With bones' axes at rest as the rig's own characters have them, where those are not the world's: Mixamo's y along the bone, Unreal's x. Files
+    /// whose bones have a rotation at rest, glTF and USD, can say so; BVH cannot.
+    ///
+    /// ```
+    /// use solaris_io::rig::{Rig, RigMap, Rigged};
+    /// let ann = solaris_model::human(1.65, 58.0)?;
+    /// let on = Rigged::new(&ann, RigMap::from(Rig::Mixamo).with_own_axes())?;
+    /// let arm = on.figure.link("mixamorig:LeftForeArm").unwrap();
+    /// assert!((arm.joint().placement().translation.y - 0.267).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_own_axes(self) -> Self {
+        Self { has_own_axes: true, ..self }
+    }
+
     /// The rig, where it is one of those that are known.
     pub fn rig(&self) -> Option<Rig> {
         self.rig
@@ -109,6 +127,11 @@ impl RigMap {
         self.rig?.hook(link)
     }
 
+    /// How the axes of a link's bone lie at rest, if not along the world's.
+    pub(super) fn axes(&self, link: &str) -> Option<Axes> {
+        Axes::find(self.rig.filter(|_| self.has_own_axes)?, link)
+    }
+
     /// What a message calls it.
     pub(super) fn name(&self) -> &'static str {
         self.rig.map_or("custom", Rig::name)
@@ -128,7 +151,7 @@ impl RigMap {
 impl From<Rig> for RigMap {
     fn from(rig: Rig) -> Self {
         let bones = links().filter_map(|link| Some((link, rig.bone(link)?.to_owned()))).collect();
-        Self { rig: Some(rig), rest: rig.rest(), bones }
+        Self { rig: Some(rig), rest: rig.rest(), has_own_axes: false, bones }
     }
 }
 

@@ -9,7 +9,7 @@ use solaris_model::{
     UnitQuaternion, Vector3,
 };
 use solaris_retarget::Roll;
-use solaris_skin::{Detail, Influence, Skin, parts, skin};
+use solaris_skin::{Detail, Influence, Part, Skin, parts, skin};
 use std::collections::HashSet;
 
 /// A figure on a rig's bones.
@@ -48,6 +48,9 @@ impl Rigged {
     pub fn new(figure: &Figure, rig: impl Into<RigMap>) -> Result<Self, IoError> {
         let rig: RigMap = rig.into();
         let mut turns: Vec<UnitQuaternion<f64>> = Vec::new();
+        // The rest pose's rotation of each link in the world, and its bone's frame there.
+        let (mut rests, mut frames): (Vec<UnitQuaternion<f64>>, Vec<UnitQuaternion<f64>>) =
+            Default::default();
         let mut names = Vec::new();
         // The bone that goes on from each link, and where it is in the link's.
         let mut ends: Vec<(&str, Vector3<f64>)> = Vec::new();
@@ -71,17 +74,25 @@ impl Rigged {
                 "right_upper_arm" => -rig.rest().raised(),
                 _ => 0.0,
             };
-            let rest = UnitQuaternion::from_scaled_axis(Vector3::z() * raised);
-            let above = link.parent().map_or_else(UnitQuaternion::identity, |parent| turns[parent]);
-            // With R the rest pose's rotation in the world, a bone's frame is the link's turned by R⁻¹.
-            let turn = rest.inverse() * above;
-            let at = above.inverse() * link.joint().placement().translation.vector;
+            let above = |all: &[UnitQuaternion<f64>]| {
+                link.parent().map_or_else(UnitQuaternion::identity, |parent| all[parent])
+            };
+            let rest = above(&rests) * UnitQuaternion::from_scaled_axis(Vector3::z() * raised);
+            let axes = rig.axes(link.name());
+            let frame = axes.map_or_else(UnitQuaternion::identity, |axes| {
+                axes.frame(way(figure, link, axes.toward).map(|way| rest * way))
+            });
+            // With R the rest pose's rotation in the world and A the bone's there, the bone's frame is the link's turned by R⁻¹A.
+            let turn = rest.inverse() * frame;
+            let at = above(&turns).inverse() * link.joint().placement().translation.vector;
+            let turned = above(&frames).inverse() * frame;
+            let place = |at: Vector3<f64>| Placement::from_parts(at.into(), turned);
             let spec = match link.parent() {
                 None => {
                     let joint = Joint::free("root");
                     match root {
-                        None => LinkSpec::root(name, joint.at(at)),
-                        Some(root) => LinkSpec::child(name, root, joint.at(Vector3::y() * height)),
+                        None => LinkSpec::root(name, joint.placed(place(at))),
+                        Some(root) => LinkSpec::child(name, root, joint.placed(place(Vector3::y() * height))),
                     }
                 }
                 Some(parent) => {
@@ -90,7 +101,7 @@ impl Rigged {
                         builder = builder.link(LinkSpec::child(hook, bone, Joint::new(hook)));
                         bone = hook;
                     }
-                    LinkSpec::child(name, bone, Joint::ball(link.joint().name()).at(at - end))
+                    LinkSpec::child(name, bone, Joint::ball(link.joint().name()).placed(place(at - end)))
                 }
             };
             builder = builder.link(dressed(spec, link, &turn));
@@ -107,18 +118,28 @@ impl Rigged {
                 let ball = Joint::ball(twist.bone).at(turn.inverse() * way * twist.share);
                 builder = builder.link(LinkSpec::child(twist.bone, name, ball));
             }
-            for part in parts.iter().filter(|part| part.link == index) {
+            for (i, part) in parts.iter().enumerate().filter(|(_, part)| part.link == index) {
                 // One bone may be several parts: CMU's four fingers are one, from the first one's knuckle on.
                 let Some(bone) = rig.part(&part.name).filter(|bone| made.insert(*bone)) else { continue };
-                let above = part.parent.map(|i| &parts[i]);
-                let above = above.and_then(|above| Some((rig.part(&above.name)?, turn.inverse() * above.at)));
+                let of = |part: usize| {
+                    let axes = rig.axes(finger(&parts[part].name)?)?;
+                    Some(axes.frame(onward(&parts, part).map(|way| rest * way)))
+                };
+                // Where they are in the link's bone.
+                let place = |i: usize| {
+                    let turned = of(i).map_or_else(UnitQuaternion::identity, |own| frame.inverse() * own);
+                    Placement::from_parts((turn.inverse() * parts[i].at).into(), turned)
+                };
+                let above = part.parent.and_then(|above| Some((rig.part(&parts[above].name)?, place(above))));
                 // Thumbs hang on the hand itself, fingers on what goes on from it.
                 let root = if part.name.contains("thumb") { (name, Vector3::zeros()) } else { end };
-                let (parent, from) = above.unwrap_or(root);
-                let fixed = Joint::new(bone).at(turn.inverse() * part.at - from);
+                let (parent, from) = above.unwrap_or((root.0, Placement::new(root.1, Vector3::zeros())));
+                let fixed = Joint::new(bone).placed(from.inverse() * place(i));
                 builder = builder.link(LinkSpec::child(bone, parent, fixed));
             }
             turns.push(turn);
+            rests.push(rest);
+            frames.push(frame);
             names.push(name);
             ends.push(end);
         }
@@ -146,27 +167,33 @@ impl Rigged {
         let joints = self.figure.layout().joints();
         let has_track = self.bones.first().is_some_and(|pelvis| *pelvis > 0);
         let track = if has_track { track(figure, motion) } else { Vec::new() };
+        let back: Vec<UnitQuaternion<f64>> = self
+            .bones
+            .iter()
+            .map(|bone| self.figure.links()[*bone].joint().placement().rotation.inverse())
+            .collect();
         for (sample, bones) in q.chunks_exact_mut(nq).enumerate() {
             let row = motion.q(sample);
             for ((i, link), at) in figure.links().iter().enumerate().zip(figure.layout().joints()) {
                 let moved = link.joint().moved(&row[at.q..]);
                 let above = link.parent().map_or_else(UnitQuaternion::identity, |parent| self.turns[parent]);
                 let mut turn = above.inverse() * moved.rotation * self.turns[i];
-                turn.renormalize();
-                turned[i] = turn;
                 let mut first = joints[self.bones[i]].q;
                 if link.parent().is_none() {
                     let mut place = moved.translation.vector;
                     if let Some(&[x, y, z, heading]) = track.get(sample) {
                         bones[..4].copy_from_slice(&[x, y, z, heading]);
-                        let back = UnitQuaternion::from_scaled_axis(Vector3::y() * -heading);
+                        let ahead = UnitQuaternion::from_scaled_axis(Vector3::y() * -heading);
                         let at = link.joint().placement().translation.vector;
-                        place = back * (place + at - Vector3::new(x, y, z)) - Vector3::y() * self.height;
-                        turn = back * turn;
+                        place = ahead * (place + at - Vector3::new(x, y, z)) - Vector3::y() * self.height;
+                        turn = ahead * turn;
                     }
-                    bones[first..first + 3].copy_from_slice(place.as_slice());
+                    bones[first..first + 3].copy_from_slice((back[i] * place).as_slice());
                     first += 3;
                 }
+                turn = back[i] * turn;
+                turn.renormalize();
+                turned[i] = turn;
                 bones[first..first + 4].copy_from_slice(turn.coords.as_slice());
             }
             let time = motion.time();
@@ -245,7 +272,11 @@ impl Rigged {
         for (point, influences) in skin.points.iter().zip(&mut skin.influences) {
             let shared = influences.iter().flat_map(|i| {
                 match self.limbs.iter().find(|limb| limb.bone == usize::from(i.link)) {
-                    Some(limb) => limb.shared(&(point - skin.bind[limb.bone].translation.vector), i.share),
+                    Some(limb) => {
+                        let bind = &skin.bind[limb.bone];
+                        let from_joint = bind.rotation.inverse() * (point - bind.translation.vector);
+                        limb.shared(&from_joint, i.share)
+                    }
                     None => [*i, Influence::default()],
                 }
             });
@@ -294,11 +325,28 @@ fn limb(figure: &Figure, rig: &RigMap, on: &Figure, link: usize, bones: &[usize]
     let next = figure.link_index(toward)?;
     let twists = rig.twists().filter(|twist| twist.link == name);
     let twists = twists.filter_map(|twist| Some((on.link_index(twist.bone)?, twist.share))).collect();
-    let way = on.links()[bones[next]].joint().placement().translation.vector;
+    let place = on.links()[bones[next]].joint().placement();
     // What has no length turns about nothing.
-    let (axis, length) = Unit::try_new_and_get(way, 1e-9)?;
+    let (axis, length) = Unit::try_new_and_get(place.translation.vector, 1e-9)?;
+    let next_axis = place.rotation.inverse() * axis;
     let is_last = ["hand", "foot"].iter().any(|end| toward.ends_with(end));
-    Some(Limb { link, next, bone: bones[link], axis, length, twists, is_last })
+    Some(Limb { link, next, bone: bones[link], axis, next_axis, length, twists, is_last })
+}
+
+/// What [`RigMap::axes`] calls the bones of this part of the skin, if it is one of a finger.
+fn finger(part: &str) -> Option<&'static str> {
+    let is_eye = part.ends_with("eye");
+    let sides = [("left_", "left_finger"), ("right_", "right_finger")];
+    sides.into_iter().find(|(side, _)| part.starts_with(side) && !is_eye).map(|(_, name)| name)
+}
+
+/// The way in the link's frame (m) from a part's joint to the next part's; of the last one the way to it.
+fn onward(parts: &[Part], part: usize) -> Option<Vector3<f64>> {
+    let next = parts.iter().find(|next| next.parent == Some(part));
+    match next {
+        Some(next) => Some(next.at - parts[part].at),
+        None => Some(parts[part].at - parts[parts[part].parent?].at),
+    }
 }
 
 /// The way in a link's frame (m) from its joint to that of the link called `toward`, or to its own tip.

@@ -14,6 +14,8 @@ pub(super) struct Limb {
     pub(super) bone: usize,
     /// The direction from its joint to the next in the bone's frame, and how far that is (m).
     pub(super) axis: Unit<Vector3<f64>>,
+    /// The same direction at rest, in the next one's frame.
+    pub(super) next_axis: Unit<Vector3<f64>>,
     pub(super) length: f64,
     /// The bones of twist from the joint on, each with how far along it is, from 0 to 1.
     pub(super) twists: Vec<(usize, f64)>,
@@ -37,7 +39,7 @@ impl Limb {
         dt: f64,
     ) -> impl Iterator<Item = (usize, UnitQuaternion<f64>)> + '_ {
         let own = rolls[0].follow(&self.axis, &turns[self.link], dt);
-        let next = if self.is_last { rolls[1].follow(&self.axis, &turns[self.next], dt) } else { 0.0 };
+        let next = if self.is_last { rolls[1].follow(&self.next_axis, &turns[self.next], dt) } else { 0.0 };
         let turn =
             move |share: f64| UnitQuaternion::from_axis_angle(&self.axis, share * next - (1.0 - share) * own);
         self.twists.iter().map(move |(bone, share)| (*bone, turn(*share)))

@@ -6,7 +6,7 @@ use solaris_gait::{WalkRequest, walk};
 use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::glb::{self, Actor, GlbError, Options, read};
 use solaris_io::record;
-use solaris_io::rig::{Rig, Rigged};
+use solaris_io::rig::{Rig, RigMap, Rigged};
 use solaris_model::{Figure, Link, Motion, Placement, Vector3, human};
 
 fn walked(figure: &Figure, rate: f64) -> Motion {
@@ -68,7 +68,7 @@ fn a_walk_on_the_bones_of_a_rig_comes_back() {
     let ann = human(1.75, 73.0).expect("a person");
     let motion = walked(&ann, 30.0);
     for rig in Rig::ALL {
-        let on = Rigged::new(&ann, rig).expect("a rig");
+        let on = Rigged::new(&ann, RigMap::from(rig).with_own_axes()).expect("a rig");
         let moved = on.motion(&ann, &motion).expect("its motion");
         let clip = found(&written(&on.figure, &moved));
         let off = worst(&on.figure, &moved, &clip);

@@ -8,7 +8,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use solaris_gait::{Extent, WalkRequest, walk};
 use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::glb::{self, Actor, Character, Options, read};
-use solaris_io::rig::{Rig, Rigged};
+use solaris_io::rig::{Rig, RigMap, Rigged};
 use solaris_model::{Figure, Motion, MotionInfo, human};
 use solaris_retarget::{BoneMap, Moved, RetargetError, Roles, Skeleton, Take, retarget};
 
@@ -54,8 +54,16 @@ fn a_skeleton_that_agrees_turns_as_the_source_does() {
     let ann = human(1.65, 58.0).expect("a person");
     let motion = walked(&ann);
     let take = take(&ann, &motion);
-    for rig in [None, Some(Rig::Mixamo), Some(Rig::Unreal), Some(Rig::Vrm)] {
-        let on = rig.map(|rig| Rigged::new(&ann, rig).expect("a rig"));
+    for (rig, has_own_axes) in [
+        (None, false),
+        (Some(Rig::Mixamo), false),
+        (Some(Rig::Mixamo), true),
+        (Some(Rig::Unreal), false),
+        (Some(Rig::Unreal), true),
+        (Some(Rig::Vrm), false),
+    ] {
+        let map = rig.map(|rig| if has_own_axes { RigMap::from(rig).with_own_axes() } else { rig.into() });
+        let on = map.map(|map| Rigged::new(&ann, map).expect("a rig"));
         let moved = on.as_ref().map(|on| on.motion(&ann, &motion).expect("a motion"));
         let (figure, own) =
             on.as_ref().zip(moved.as_ref()).map_or((&ann, &motion), |(on, moved)| (&on.figure, moved));

@@ -1,5 +1,6 @@
 //! People on animators' bones: the same places as before, by the rig's names as another module reads them, in its rest pose.
 
+mod axes;
 mod track;
 
 use nalgebra::Point3;
