@@ -531,7 +531,8 @@ impl Dynamics {
         &self,
         py: Python<'py>,
         tracks: &Tracks,
-        run: impl for<'a> FnOnce(
+        run: impl Send
+        + for<'a> FnOnce(
             &'a mut Derivatives,
             &[(usize, Wrench<f64>)],
         ) -> Result<&'a Partials, kernel::DynamicsError>,
@@ -545,7 +546,8 @@ impl Dynamics {
             *derivatives = Some(Box::new(made));
         }
         let derivatives = derivatives.as_mut().expect("they were made");
-        partials(py, run(derivatives, external).map_err(errors::dynamics)?)
+        let found = py.detach(|| run(derivatives, external)).map_err(errors::dynamics)?;
+        partials(py, found)
     }
 }
 
