@@ -5,6 +5,8 @@ of others, which the variable SOLARIS_DATA names, OpenSim's own of walking.
 """
 
 import os
+import shutil
+import subprocess
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -216,3 +218,41 @@ def test_positions_from_markers_miss_less_than_those_of_the_tool(tmp_path):
         # Their search ends early, a hundredth of a radian off where the sum is flat.
         assert least <= reached and np.abs(ours[frame] - theirs[frame]).max() < 0.025
     assert compared == 24
+
+
+def test_a_model_of_a_person_s_size_is_that_of_the_tool(tmp_path):
+    """The program's, which takes the tool's own setup: `cargo build -p solaris-cli` makes it."""
+    builds = [REPOSITORY / "target" / build / "solaris" for build in ("release", "debug")]
+    program = next((str(build) for build in builds if build.exists()), shutil.which("solaris"))
+    if program is None:
+        pytest.skip("the program is not built")
+    for name in ("leg.osim", "static.trc", "scale.xml"):
+        shutil.copy(REPOSITORY / "fixtures/markers" / name, tmp_path)
+    osim.Logger.setLevelString("Off")
+    tool = osim.ScaleTool(str(tmp_path / "scale.xml"))
+    tool.getModelScaler().setOutputModelFileName("scaled.osim")
+    tool.getMarkerPlacer().setOutputModelFileName("theirs.osim")
+    assert tool.run()
+    # Its markers lie where the static trial has them, as those of `--static` do.
+    command = [program, "scale", tmp_path / "leg.osim", "--static", tmp_path / "static.trc"]
+    command += ["--scale-setup", tmp_path / "scale.xml", "-o", tmp_path / "ours.osim"]
+    subprocess.run(command, check=True, capture_output=True)
+
+    ours, theirs = (solaris.read_figure(tmp_path / f"{who}.osim") for who in ("ours", "theirs"))
+    assert ours.links == theirs.links and ours.mass == pytest.approx(25.0, abs=1e-9)
+    numbers = np.random.default_rng(1)
+    dynamics = [solaris.Dynamics(figure) for figure in (ours, theirs)]
+    for _ in range(5):
+        q, v, a = (numbers.uniform(-0.5, 0.5, count) for count in (ours.nq, ours.nv, ours.nv))
+        for link in ours.links:
+            places = [one.pose(q, link) for one in dynamics]
+            assert np.abs(places[0] - places[1]).max() < 1e-9
+        # The masses of its file have fifteen digits.
+        same(*(one.inverse(q, v, a) for one in dynamics))
+    models = [osim.Model(str(tmp_path / f"{who}.osim")) for who in ("ours", "theirs")]
+    markers = [model.getMarkerSet() for model in models]
+    assert markers[0].getSize() == markers[1].getSize() == 12
+    for index in range(12):
+        name = markers[1].get(index).getName()
+        places = [both.get(name).get_location().to_numpy() for both in markers]
+        assert np.abs(places[0] - places[1]).max() < 1e-3, name

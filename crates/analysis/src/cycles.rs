@@ -82,7 +82,8 @@ mod tests {
             stance(0, 1.9, 2.4),
             stance(0, 2.9, 3.0),
         ];
-        let stances = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "hand" };
+        let stances =
+            Stances { list, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "hand" };
         assert_eq!(strides(&stances, 0, &[0.0, 3.0]), [[0.8, 1.9], [1.9, 2.9]]);
         assert!(strides(&stances, 1, &[0.0, 3.0]).is_empty());
     }

@@ -15,6 +15,7 @@ mod elsewhere;
 mod error;
 mod feet;
 mod fit;
+mod footing;
 mod guess;
 mod judge;
 mod legs;
@@ -35,6 +36,7 @@ pub use consistency::{
 pub use elsewhere::{Elsewhere, ElsewhereKind, find_elsewhere};
 pub use error::{GroundError, GroundOption};
 pub use feet::{PlacedFeet, PlacedSole};
+pub use footing::Footing;
 pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use planted::{PlantedError, reactions_of_planted};

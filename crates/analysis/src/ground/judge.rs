@@ -116,7 +116,9 @@ pub fn judge(
         let loaded = |row: &usize| normal(*row) > FootReport::LOADED * prepared.weight;
         let friction = |row: usize| {
             let force = contacts[foot][row].force;
-            (force - prepared.up * normal(row)).norm() / normal(row)
+            let ground = stances.under(foot, prepared.time()[row], &prepared.up).normal;
+            let pressed = force.dot(&ground);
+            (force - ground * pressed).norm() / pressed
         };
         let beyond = |row: usize| {
             let outline = feet.outline(row, foot, stances.level);

@@ -70,7 +70,7 @@ impl GroundForces {
 }
 
 /// Finds the ground's forces in a motion: when which foot stands, the
-/// whole wrench, how it is shared, and what is wrong with it. The ground is level.
+/// whole wrench, how it is shared, and what is wrong with it. Stairs and slopes are told by how the soles stand on them ([`Stances::footings`]).
 ///
 /// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball
 /// ([`GroundForces::loads`]). In the frame of the toes' link the ball is where it is with all joints at zero. Of the figure's
@@ -106,7 +106,7 @@ pub fn ground_forces(feet: &PlacedFeet<'_>, options: &GroundOptions) -> Result<G
         Some(stances) => stances.clone(),
         None => find_stances(feet, &options.stance)?,
     };
-    let total = feet.whole_at(stances.level)?;
+    let total = feet.whole_on(&stances)?;
     let shared = share(options.split, feet, &stances, &total)?;
     let (of_feet, unsupported) = judge(feet, &stances, &total, &shared.contacts)?;
     let report = GroundReport {

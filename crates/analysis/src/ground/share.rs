@@ -129,7 +129,10 @@ pub fn share(
         Split::Pivot => brace::share(&sharing)?,
         Split::Effort => effort::share(&sharing)?,
     };
-    let track = |foot: usize| frames.iter().map(|parts| sharing.contact(&parts[foot])).collect();
+    let track = |foot: usize| {
+        let rows = frames.iter().enumerate();
+        rows.map(|(row, parts)| sharing.contact(foot, row, &parts[foot])).collect()
+    };
     let contacts = (0..feet.soles().len()).map(track).collect();
     Ok(Shared { contacts, irregular: sharing.irregular() })
 }

@@ -5,7 +5,7 @@ mod steps;
 mod support;
 mod track;
 
-use crate::ground::{BalanceFrame, GroundError, GroundOption, PlacedFeet, Sole};
+use crate::ground::{BalanceFrame, Footing, GroundError, GroundOption, PlacedFeet, Sole};
 use edges::standing;
 use nalgebra::Vector3;
 use solaris_model::{ContactTrack, Interval};
@@ -112,6 +112,8 @@ pub struct Stances {
     pub belt: Vector3<f64>,
     /// Height of the ground along up, the direction against gravity (m).
     pub level: f64,
+    /// What each of them stands on, in the order of the list; none where all stand on the level ground.
+    pub footings: Vec<Footing>,
     /// How they were found.
     pub method: &'static str,
 }
@@ -127,6 +129,10 @@ impl Stances {
             return Err(super::total::bad_level(self.level));
         }
         StanceOptions { belt: Belt::Speed(self.belt), ..StanceOptions::default() }.check()?;
+        let (found, expected) = (self.footings.len(), self.list.len());
+        if found != 0 && found != expected {
+            return Err(GroundError::Length { what: "what feet stand on", found, expected });
+        }
         let bad =
             |s: &Stance| !(s.foot < feet && s.start.is_finite() && s.end.is_finite() && s.start <= s.end);
         match self.list.iter().position(bad) {
@@ -139,7 +145,7 @@ impl Stances {
     }
 }
 
-/// Finds when which foot stands, on level ground, from how heel, ball and tip of each sole move, and from the whole force.
+/// Finds when which foot stands, and on what, from how heel, ball and tip of each sole move, and from the whole force.
 ///
 /// A point of a sole is down while it is less than a height above its own lowest one (the lowest but a twentieth of
 /// the frames, since it is seldom known how high above the ground a point really is), and slower than a speed against
@@ -158,7 +164,8 @@ impl Stances {
 /// such a flight a foot stands as soon, and as long, as there is force and it is less than twice the height up; above 0.5 somebody stands, if no foot is down
 /// those that are slow, on whatever is under them. A motion in which nothing is ever borne has no such say.
 ///
-/// `level` is the median of the lowest heights of the points of all feet that may stand.
+/// `level` is the median of the lowest heights of the points of all feet that may stand. Where feet stand more than 5 cm apart in height the ground is not level:
+/// each stands on the plane in which its sole lies while it moves least ([`Stances::footings`]), level where that is tilted by less than 4°.
 ///
 /// # Source
 ///
@@ -185,18 +192,28 @@ pub fn find_stances(feet: &PlacedFeet<'_>, options: &StanceOptions) -> Result<St
             tracks.belt(height, |row| support.borne(row), &travel(total))
         }
     };
-    let of_feet: Vec<FootTrack> = (0..feet.soles().len()).map(|foot| tracks.foot(foot, &belt)).collect();
-    let limits: Vec<Limits> = of_feet.iter().map(|track| Limits::of(track, options)).collect();
-    let each = of_feet.iter().zip(&limits);
-    let mut spans: Vec<Vec<Span>> =
-        each.map(|(track, limits)| steps(prepared.time(), track, limits, options.shortest)).collect();
-    support.settle(&mut spans, &of_feet, &limits, options.shortest);
-    let list = spans
-        .iter()
-        .enumerate()
-        .flat_map(|(foot, spans)| spans.iter().map(move |&(start, end)| Stance { foot, start, end }));
+    let find = |of_feet: Vec<FootTrack>| -> Vec<Stance> {
+        let limits: Vec<Limits> = of_feet.iter().map(|track| Limits::of(track, options)).collect();
+        let each = of_feet.iter().zip(&limits);
+        let mut spans: Vec<Vec<Span>> =
+            each.map(|(track, limits)| steps(prepared.time(), track, limits, options.shortest)).collect();
+        support.settle(&mut spans, &of_feet, &limits, options.shortest);
+        let all = spans.iter().enumerate();
+        let of_foot = |(foot, spans): (usize, &Vec<Span>)| {
+            spans.iter().map(|&(start, end)| Stance { foot, start, end }).collect::<Vec<_>>()
+        };
+        all.flat_map(of_foot).collect()
+    };
+    let all = 0..feet.soles().len();
+    let mut list = find(all.clone().map(|foot| tracks.foot(foot, &belt)).collect());
+    let mut footings = feet.footings(&list, &belt);
+    if !footings.is_empty() {
+        // Where the ground is not level heights are told from what each foot stands on, once that is known.
+        list = find(all.map(|foot| tracks.foot_on(foot, &belt, &list)).collect());
+        footings = feet.footings(&list, &belt);
+    }
     let method = "heights and speeds of heel, ball and tip, and the whole force";
-    Ok(Stances { list: list.collect(), belt, level: tracks.level(), method })
+    Ok(Stances { list, belt, level: tracks.level(), footings, method })
 }
 
 /// How the centre of mass travels from the first frame to the last (m/s).
@@ -228,7 +245,7 @@ pub fn stances_of_planted(soles: &[Sole], planted: &[Interval], level: f64) -> S
             }
         }
     }
-    Stances { list, belt: Vector3::zeros(), level, method: "planted points" }
+    Stances { list, belt: Vector3::zeros(), level, footings: Vec::new(), method: "planted points" }
 }
 
 /// Stances of a motion whose contacts are known: a foot stands while the ground presses on it with more than `least` (N).
@@ -248,5 +265,5 @@ pub fn stances_of_contacts(
         let spans = standing(time, &decides, 0.0);
         list.extend(spans.into_iter().map(|(start, end)| Stance { foot, start, end }));
     }
-    Stances { list, belt, level, method: "the forces on them" }
+    Stances { list, belt, level, footings: Vec::new(), method: "the forces on them" }
 }

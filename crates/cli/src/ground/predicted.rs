@@ -153,6 +153,7 @@ impl<'a> Ground<'a> {
         let mut stances = find(&options)?;
         if let Some(path) = self.told {
             stances.list = told::read(path, &self.soles)?;
+            stances.footings = feet.footings(&stances.list, &stances.belt);
             stances.method = "the file of --stances";
         }
         Ok(Standing { stances, belt_from })

@@ -229,7 +229,7 @@ fn stances_that_are_not_known_or_not_within_the_motion_are_none() {
     let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
     let later = |start: f64| Stance { foot: 0, start, end: start + 0.5 };
     let list = vec![later(1.0), later(2.0)];
-    let later = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "" };
+    let later = Stances { list, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "" };
     for (stances, why) in [(None, NoValue::NoStance), (Some(&later), NoValue::NoStride)] {
         let given = MetricsInput { motion: &prepared, feet: Some(&feet), stances, contacts: None };
         let all = metrics(&given).expect("metrics");

@@ -235,7 +235,8 @@ mod tests {
         let motion = Motion::new(&figure, info, vec![0.0], [q, v.clone(), v]).expect("a motion");
         let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
         let list = [0, 1].map(|foot| Stance { foot, start: -1.0, end: 1.0 }).to_vec();
-        let stances = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" };
+        let stances =
+            Stances { list, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "told" };
         let total = balance(&prepared, 0.0).expect("a total");
         let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
         let sharing = Sharing::new(&feet, &stances, &total);

@@ -2,7 +2,7 @@
 
 use super::load::Load;
 use crate::ground::legs::hips;
-use crate::ground::{BalanceFrame, PlacedFeet, SOLE_BREADTH, Sole, Stance, Stances};
+use crate::ground::{BalanceFrame, Footing, PlacedFeet, SOLE_BREADTH, Sole, Stance, Stances};
 use crate::prepared::PreparedMotion;
 use crate::split::FootSupport;
 use nalgebra::Vector3;
@@ -86,7 +86,8 @@ impl<'a> Sharing<'a> {
         for (index, load) in self.loads.iter().enumerate() {
             let foot = load.stance.foot;
             if (load.stance.start..=load.stance.end).contains(&t) && !standing.contains(&foot) {
-                feet[foot] = FootSupport::level(load.weight(t), self.nominal(index, row));
+                let normal = self.is_uneven().then(|| self.under(foot, t).normal);
+                feet[foot] = FootSupport { share: load.weight(t), cop: self.nominal(index, row), normal };
                 standing.push(foot);
             }
         }
@@ -108,7 +109,7 @@ impl<'a> Sharing<'a> {
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
         let (load, time) = (&self.loads[index], self.prepared.time());
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);
-        let [heel, ball, tip] = self.feet.frame(row)[foot].points.map(|point| self.on_ground(point));
+        let [heel, ball, tip] = self.on_ground(foot, row);
         let middle = heel.lerp(&ball, 0.5);
         // When it stands alone next to this frame, the point of its sole that is pressed then, and how far beside it the pressure is.
         let pressed = self.alone[foot][row].map(|row| {
@@ -139,7 +140,7 @@ impl<'a> Sharing<'a> {
 
     /// The point below a foot that is nearest to a point of the ground: within half a breadth of the line from heel to tip.
     fn below(&self, foot: usize, row: usize, point: &Vector3<f64>) -> Vector3<f64> {
-        let [heel, _, tip] = self.feet.frame(row)[foot].points.map(|point| self.on_ground(point));
+        let [heel, _, tip] = self.on_ground(foot, row);
         let line = tip - heel;
         let along = (point - heel).dot(&line) / line.norm_squared();
         let middle = heel + line * if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
@@ -148,15 +149,27 @@ impl<'a> Sharing<'a> {
         middle + aside * (half / aside.norm()).min(1.0)
     }
 
-    /// The point of the ground below a point.
-    pub(super) fn on_ground(&self, point: Vector3<f64>) -> Vector3<f64> {
-        let up = &self.prepared.up;
-        point + up * (self.stances.level - point.dot(up))
+    /// Whether feet stand on something else than level ground.
+    fn is_uneven(&self) -> bool {
+        !self.stances.footings.is_empty()
+    }
+
+    /// What a foot stands on at a time (s).
+    pub(super) fn under(&self, foot: usize, t: f64) -> Footing {
+        self.stances.under(foot, t, &self.prepared.up)
+    }
+
+    /// Heel, ball and tip of a foot in a frame, on the ground below them.
+    pub(super) fn on_ground(&self, foot: usize, row: usize) -> [Vector3<f64>; 3] {
+        let (up, ground) = (&self.prepared.up, self.under(foot, self.prepared.time()[row]));
+        self.feet.frame(row)[foot].points.map(|point| ground.below(point, up))
     }
 
     /// Height of the centre of mass above the ground (m).
     pub(super) fn height(&self, row: usize) -> f64 {
-        self.total[row].com.dot(&self.prepared.up) - self.stances.level
+        let (up, frame) = (&self.prepared.up, &self.total[row]);
+        let ground = frame.cop.filter(|_| self.is_uneven()).map_or(self.stances.level, |cop| cop.dot(up));
+        frame.com.dot(up) - ground
     }
 
     /// From the heel over the ball to the tip (m).
@@ -182,11 +195,9 @@ impl<'a> Sharing<'a> {
         parts
     }
 
-    /// The wrench with its centre of pressure; zero where there is none.
-    pub(super) fn contact(&self, part: &Wrench<f64>) -> Contact {
-        let (up, level) = (&self.prepared.up, self.stances.level);
-        let normal = part.force.dot(up);
-        let cop = (up.cross(&part.moment) + part.force * level) / normal;
+    /// The wrench on a foot with its centre of pressure; zero where there is none.
+    pub(super) fn contact(&self, foot: usize, row: usize, part: &Wrench<f64>) -> Contact {
+        let cop = self.under(foot, self.prepared.time()[row]).center_of_pressure(part);
         let cop = if cop.iter().all(|x| x.is_finite()) { cop } else { Vector3::zeros() };
         Contact { force: part.force, moment: part.moment, cop }
     }

@@ -20,8 +20,7 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
         let Some(release) = release else {
             return Ok(pivot::share(sharing, row, sharing.supports(row).as_deref()));
         };
-        let (trailing, mut parts) =
-            (release.at(t, &sharing.prepared.up), sharing.whole(row, release.double.leading));
+        let (trailing, mut parts) = (release.at(t), sharing.whole(row, release.double.leading));
         let leading = &mut parts[release.double.leading];
         leading.force -= trailing.force;
         leading.moment -= trailing.moment;
@@ -35,9 +34,10 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
 struct Release {
     double: Double,
     /// When double support begins: its force (N), the point of the ground that it presses on (m), and its moment about
-    /// the normal through that point (N m).
+    /// the `normal` through that point (N m).
     force: Vector3<f64>,
     cop: Vector3<f64>,
+    normal: Vector3<f64>,
     twist: f64,
     /// Velocity of the ground (m/s).
     belt: Vector3<f64>,
@@ -53,25 +53,30 @@ impl Release {
         let (_, to) = between(sharing, double.end);
         let travel = to - from - belt * (double.end - double.start);
         let travel = travel - up * travel.dot(up);
-        let cop = wrench.center_of_pressure(up, sharing.stances.level)?;
+        if wrench.force.dot(up) <= 0.0 {
+            return None;
+        }
+        let ground = sharing.under(double.trailing, double.start);
+        let cop = ground.center_of_pressure(&wrench);
         Some(Self {
             double: *double,
             force: wrench.force,
             cop,
-            twist: (wrench.moment - cop.cross(&wrench.force)).dot(up),
+            normal: ground.normal,
+            twist: (wrench.moment - cop.cross(&wrench.force)).dot(&ground.normal),
             belt,
             forward: travel.try_normalize(1e-6).unwrap_or_default(),
         })
     }
 
     /// Its wrench at a time (s) of the double support.
-    fn at(&self, t: f64, up: &Vector3<f64>) -> Wrench<f64> {
+    fn at(&self, t: f64) -> Wrench<f64> {
         let (passed, length) = (t - self.double.start, self.double.end - self.double.start);
         let (rest, fore_aft) = kept(passed / length);
         let along = self.forward * self.forward.dot(&self.force);
         let force = (self.force - along) * rest + along * fore_aft;
         let cop = self.cop + self.belt * passed;
-        Wrench { force, moment: cop.cross(&force) + up * (self.twist * rest) }
+        Wrench { force, moment: cop.cross(&force) + self.normal * (self.twist * rest) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tracks of the points of the soles, and the ground that they tell of.
 
 use super::Belt;
-use crate::ground::PlacedFeet;
+use crate::ground::{PlacedFeet, Stance};
 use nalgebra::Vector3;
 
 /// A foot whose lowest point never comes nearer to the lowest one of all feet than this (m) never stands.
@@ -74,6 +74,25 @@ impl<'a> Tracks<'a> {
         let belt = level(Vector3::from(median));
         let least = Belt::LEAST.max(Belt::LEAST_OF_TRAVEL * level(travel - belt).norm());
         if belt.norm() < least { Vector3::zeros() } else { belt }
+    }
+
+    /// The same above what it stands on in the nearest of its stances.
+    pub(super) fn foot_on(&self, foot: usize, belt: &Vector3<f64>, list: &[Stance]) -> FootTrack {
+        let up = &self.placed.prepared().up;
+        let own = list.iter().filter(|stance| stance.foot == foot);
+        let own: Vec<_> = own.filter_map(|stance| Some((stance, self.placed.lies(stance, belt)?))).collect();
+        let mut track = self.foot(foot, belt);
+        for (row, above) in track.above.iter_mut().enumerate() {
+            let time = self.placed.prepared().time()[row];
+            let away = |stance: &Stance| (stance.start - time).max(time - stance.end).max(0.0);
+            let nearest = own.iter().min_by(|a, b| away(a.0).total_cmp(&away(b.0)));
+            if let Some((_, (ground, at_rest))) = nearest {
+                let points = self.placed.frame(row)[foot].points;
+                // Below the tread that it comes to it is not on it either.
+                *above = [0, 1, 2].map(|i| (ground.above(&points[i], up) - at_rest[i]).abs());
+            }
+        }
+        track
     }
 
     /// How a foot moves on a ground that moves with the velocity `belt` (m/s).

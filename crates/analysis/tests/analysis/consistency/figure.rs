@@ -161,7 +161,8 @@ fn a_person_who_leans_too_far_is_moved_until_the_soles_bear() {
     let mut states = States { time, q, v, a, ..States::default() };
     let soles = soles(&figure);
     let standing = (0..2).map(|foot| Stance { foot, start: 0.0, end: 2.0 }).collect();
-    let stances = Stances { list: standing, belt: Vector3::zeros(), level: 0.0, method: "given" };
+    let stances =
+        Stances { list: standing, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "given" };
     let options = ConsistencyOptions { limit: f64::INFINITY, ..ConsistencyOptions::default() };
     let found = make_consistent(&figure, gravity, &mut states, &soles, &stances, &options).expect("moved");
     assert!(found.before.outside > 0.5 && found.before.frames > 50, "{:?}", found.before);

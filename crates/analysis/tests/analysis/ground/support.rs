@@ -37,7 +37,7 @@ pub(crate) fn swaying_at(figure: &Figure, frames: usize, rate: f64, amplitude: f
 pub(crate) fn steps() -> Stances {
     let stance = |foot, start, end| Stance { foot, start, end };
     let list = vec![stance(0, -1.0, 0.35), stance(0, 0.65, 2.0), stance(1, 0.2, 0.8)];
-    Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" }
+    Stances { list, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "told" }
 }
 
 pub(crate) fn ground(figure: &Figure, states: &States, split: Split, stances: Stances) -> GroundForces {

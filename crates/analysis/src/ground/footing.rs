@@ -1,0 +1,145 @@
+//! What feet stand on where the ground is not level: stairs, slopes, kerbs, boxes.
+
+use super::{BalanceFrame, PlacedFeet, Stance, Stances};
+use nalgebra::Vector3;
+use solaris_dynamics::Wrench;
+
+/// Feet that stand nearer in height than this (m) stand on level ground: as far off are guessed soles, and markers.
+const APART: f64 = 0.05;
+/// Soles that stand tilted by less than this (rad) stand on a tread: as far off are guessed soles.
+const TILTED: f64 = 4.0 * std::f64::consts::PI / 180.0;
+/// A sole steeper than this (rad) is on its edge, and says nothing of the ground.
+const STEEPEST: f64 = 30.0 * std::f64::consts::PI / 180.0;
+/// The share of a stance's frames in which the sole is slowest: there it lies on the ground.
+const SLOWEST: f64 = 0.2;
+
+/// The plane that a foot stands on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footing {
+    /// A point of it (m).
+    pub point: Vector3<f64>,
+    /// Its unit normal, up.
+    pub normal: Vector3<f64>,
+}
+
+impl Footing {
+    /// Level ground at a height (m) along `up`.
+    pub(super) fn level(level: f64, up: &Vector3<f64>) -> Self {
+        Self { point: up * level, normal: *up }
+    }
+
+    /// The point of it above or below another one.
+    pub(super) fn below(&self, point: Vector3<f64>, up: &Vector3<f64>) -> Vector3<f64> {
+        point - up * self.above(&point, up)
+    }
+
+    /// How far (m) a point is above it.
+    pub(super) fn above(&self, point: &Vector3<f64>, up: &Vector3<f64>) -> f64 {
+        (point - self.point).dot(&self.normal) / up.dot(&self.normal)
+    }
+
+    /// The centre of pressure of a wrench on it, where its moment is along the normal; not finite without force.
+    ///
+    /// ```text
+    /// P = p + n × (M − p × F)/(F·n)
+    /// ```
+    pub(super) fn center_of_pressure(&self, wrench: &Wrench<f64>) -> Vector3<f64> {
+        let own = wrench.moment - self.point.cross(&wrench.force);
+        self.point + self.normal.cross(&own) / wrench.force.dot(&self.normal)
+    }
+
+    /// The plane through two, and level aside.
+    fn through(a: &Self, b: &Self, up: &Vector3<f64>) -> Self {
+        let way = b.point - a.point;
+        let rise = way.dot(up);
+        let level = way - up * rise;
+        let lean = level * (rise / level.norm_squared());
+        let normal = if lean.iter().all(|x| x.is_finite()) { (up - lean).normalize() } else { *up };
+        Self { point: a.point.lerp(&b.point, 0.5), normal }
+    }
+}
+
+impl Stances {
+    /// What a foot stands on at a time (s) at which it stands: the level ground where no [`Stances::footings`] say otherwise.
+    pub(super) fn under(&self, foot: usize, time: f64, up: &Vector3<f64>) -> Footing {
+        let stands = |stance: &Stance| stance.foot == foot && (stance.start..=stance.end).contains(&time);
+        let own = self.list.iter().position(stands).and_then(|stance| self.footings.get(stance));
+        own.copied().unwrap_or_else(|| Footing::level(self.level, up))
+    }
+}
+
+impl PlacedFeet<'_> {
+    /// The whole wrench with centres of pressure on what feet stand on: of two on the plane through both.
+    pub(super) fn whole_on(&self, stances: &Stances) -> Result<Vec<BalanceFrame>, super::GroundError> {
+        let mut total = self.whole_at(stances.level)?;
+        if stances.footings.is_empty() {
+            return Ok(total);
+        }
+        let up = &self.prepared().up;
+        for (row, frame) in total.iter_mut().enumerate().filter(|(_, frame)| frame.cop.is_some()) {
+            let standing = (0..self.soles().len()).filter(|foot| stances.stands(*foot, frame.time));
+            let planes = standing.map(|foot| {
+                let plane = stances.under(foot, frame.time, up);
+                let [heel, ball, _] = self.frame(row)[foot].points;
+                Footing { point: plane.below(heel.lerp(&ball, 0.5), up), ..plane }
+            });
+            let plane = match planes.collect::<Vec<_>>()[..] {
+                [] => continue,
+                [only] => only,
+                [a, b] => Footing::through(&a, &b, up),
+                ref more => {
+                    let heights: f64 = more.iter().map(|plane| plane.point.dot(up)).sum();
+                    Footing::level(heights / more.len() as f64, up)
+                }
+            };
+            frame.cop = Some(plane.center_of_pressure(&frame.wrench()));
+        }
+        Ok(total)
+    }
+
+    /// What the foot of each stance stands on, as its sole lies while it moves least against ground of the velocity `belt` (m/s); nothing where all
+    /// stand on level ground.
+    pub fn footings(&self, list: &[Stance], belt: &Vector3<f64>) -> Vec<Footing> {
+        let up = &self.prepared().up;
+        let found: Option<Vec<Footing>> =
+            list.iter().map(|stance| Some(self.lies(stance, belt)?.0)).collect();
+        let found = found.unwrap_or_default();
+        let heights = || found.iter().map(|footing| footing.point.dot(up));
+        let (low, high) =
+            (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+        if high - low > APART { found } else { Vec::new() }
+    }
+
+    /// What the foot of a stance stands on, and how far (m) heel, ball and tip lie above it; `None` where no frame is of the stance.
+    pub(super) fn lies(&self, stance: &Stance, belt: &Vector3<f64>) -> Option<(Footing, [f64; 3])> {
+        let (up, time) = (&self.prepared().up, self.prepared().time());
+        let mut rows: Vec<(f64, usize)> = time
+            .iter()
+            .enumerate()
+            .filter(|(_, time)| (stance.start..=stance.end).contains(time))
+            .map(|(row, _)| {
+                let fastest = |v: &Vector3<f64>| (v - belt).norm();
+                let speeds = self.frame(row)[stance.foot].velocities;
+                (speeds.iter().map(fastest).fold(0.0, f64::max), row)
+            })
+            .collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let slowest = ((rows.len() as f64 * SLOWEST).ceil() as usize).clamp(1, rows.len().max(1));
+        let mut sums = [Vector3::zeros(); 3];
+        for (_, row) in rows.get(..slowest)? {
+            let points = self.frame(*row)[stance.foot].points;
+            sums.iter_mut().zip(points).for_each(|(sum, point)| *sum += point / slowest as f64);
+        }
+        let [heel, ball, tip] = sums;
+        let along = tip - heel;
+        let side = up.cross(&along);
+        let tilted = along.cross(&side).try_normalize(1e-9)?;
+        let tilt = tilted.angle(up);
+        let is_on_edge = tilt > STEEPEST;
+        let normal = if tilt < TILTED || is_on_edge { *up } else { tilted };
+        let lowest = [heel, ball, tip].into_iter().min_by(|a, b| a.dot(up).total_cmp(&b.dot(up)))?;
+        let point = if is_on_edge { lowest } else { heel.lerp(&ball, 0.5) };
+        let footing = Footing { point, normal };
+        Some((footing, sums.map(|point| footing.above(&point, up))))
+    }
+}
