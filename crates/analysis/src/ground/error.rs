@@ -146,6 +146,15 @@ pub enum GroundError {
         /// The sole.
         sole: String,
     },
+    /// A motion on stairs or a slope, of which a question for level ground is asked.
+    #[error(
+        "feet stand {apart:.2} m apart in height; a shift of the root is found on level ground alone: take a part of the \
+         motion that is on level ground, or leave it as it is"
+    )]
+    NotLevel {
+        /// How far apart (m).
+        apart: f64,
+    },
     /// Frames that are not equally far apart.
     #[error("frame {frame}, at {time} s, is not where equal frames have it; give the motion at a fixed rate")]
     Uneven {

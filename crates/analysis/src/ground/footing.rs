@@ -60,6 +60,13 @@ impl Footing {
 }
 
 impl Stances {
+    /// How low and how high (m, along `up`) feet stand; `None` on level ground.
+    pub fn heights(&self, up: &Vector3<f64>) -> Option<(f64, f64)> {
+        let heights = self.footings.iter().map(|footing| footing.point.dot(up));
+        let range = |(low, high): (f64, f64), height: f64| (low.min(height), high.max(height));
+        (!self.footings.is_empty()).then(|| heights.fold((f64::INFINITY, f64::NEG_INFINITY), range))
+    }
+
     /// What a foot stands on at a time (s) at which it stands: the level ground where no [`Stances::footings`] say otherwise.
     pub(super) fn under(&self, foot: usize, time: f64, up: &Vector3<f64>) -> Footing {
         let stands = |stance: &Stance| stance.foot == foot && (stance.start..=stance.end).contains(&time);
@@ -103,11 +110,10 @@ impl PlacedFeet<'_> {
         let up = &self.prepared().up;
         let found: Option<Vec<Footing>> =
             list.iter().map(|stance| Some(self.lies(stance, belt)?.0)).collect();
-        let found = found.unwrap_or_default();
-        let heights = || found.iter().map(|footing| footing.point.dot(up));
-        let (low, high) =
-            (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
-        if high - low > APART { found } else { Vec::new() }
+        let mut heights = found.iter().flatten().map(|footing| footing.point.dot(up)).collect::<Vec<_>>();
+        heights.sort_by(f64::total_cmp);
+        let is_level = heights.last().zip(heights.first()).is_none_or(|(high, low)| high - low <= APART);
+        found.filter(|_| !is_level).unwrap_or_default()
     }
 
     /// What the foot of a stance stands on, and how far (m) heel, ball and tip lie above it; `None` where no frame is of the stance.

@@ -15,7 +15,7 @@ const EVEN: f64 = 1e-2;
 ///
 /// # Errors
 ///
-/// What [`balance`](super::balance) and [`consistent`] refuse, stances that are none, soles without breadth, and frames that are not equally
+/// What [`balance`](super::balance) and [`consistent`] refuse, stances that are none or not on level ground, soles without breadth, and frames that are not equally
 /// far apart.
 #[doc(alias = "residual reduction")]
 #[doc(alias = "rra")]
@@ -28,6 +28,9 @@ pub fn consistent_shift(
     let (prepared, soles, level) = (feet.prepared(), feet.soles(), stances.level);
     let total = feet.whole_at(level)?;
     stances.check(soles.len())?;
+    if let Some((lowest, highest)) = stances.heights(&prepared.up) {
+        return Err(GroundError::NotLevel { apart: highest - lowest });
+    }
     if let Some(sole) = soles.iter().find(|sole| sole.width.is_none()) {
         return Err(GroundError::NoBreadth { sole: sole.name.clone() });
     }

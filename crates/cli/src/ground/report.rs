@@ -15,6 +15,9 @@ use solaris::analysis::ground::{Elsewhere, ElsewhereKind, FootReport, Split, Uns
 pub(crate) struct GroundReport {
     pub(super) soles_from: String,
     pub(super) level_m: f64,
+    /// The lowest and the highest that feet stand, where the ground is not level.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) feet_stand_m: Option<[f64; 2]>,
     pub(super) belt_m_s: [f64; 3],
     pub(super) belt_from: &'static str,
     pub(super) stances_from: &'static str,
@@ -56,6 +59,7 @@ impl GroundReport {
         let mut report = Self {
             soles_from: from.describe(),
             level_m: stances.level,
+            feet_stand_m: stances.heights(&-given.body.gravity.normalize()).map(|(low, high)| [low, high]),
             belt_m_s: stances.belt.into(),
             belt_from,
             stances_from: stances.method,
@@ -136,7 +140,10 @@ impl GroundReport {
                  see --stance-height, --stance-speed"
             ));
         }
-        doubts.extend(self.elsewhere.iter().map(|elsewhere| self.carried(elsewhere)));
+        // Of feet that stand on stairs the ground's own row tells.
+        let is_told = |kind| kind == ElsewhereKind::Raised && self.feet_stand_m.is_some();
+        let untold = self.elsewhere.iter().filter(|elsewhere| !is_told(elsewhere.kind));
+        doubts.extend(untold.map(|elsewhere| self.carried(elsewhere)));
         if self.irregular_frames > 0 {
             let frames = self.irregular_frames;
             doubts.push(format!(

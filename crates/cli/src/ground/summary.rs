@@ -11,11 +11,7 @@ impl GroundReport {
     pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
         let names: Vec<String> = self.feet.iter().map(|foot| foot.found.name.clone()).collect();
         row(out, "soles", &format!("{}, {}", some(&names), self.soles_from))?;
-        row(
-            out,
-            "ground",
-            &format!("{} m up, {}", short((self.level_m * 1e3).round() / 1e3 + 0.0), self.belt()),
-        )?;
+        row(out, "ground", &format!("{}, {}", self.height(), self.belt()))?;
         row(out, "stances", &format!("by {}", self.stances_from))?;
         let (split, assumption) = (self.split.name(), assumption(self.split));
         row(out, "split", &format!("{split}: {assumption}; an assumption, no law"))?;
@@ -42,6 +38,17 @@ impl GroundReport {
             writeln!(out, "\n  Look at")?;
         }
         self.warnings.iter().try_for_each(|warning| writeln!(out, "  - {warning}"))
+    }
+
+    fn height(&self) -> String {
+        let millimetres = |height: f64| short((height * 1e3).round() / 1e3 + 0.0);
+        match self.feet_stand_m {
+            None => format!("{} m up", millimetres(self.level_m)),
+            Some(heights) => {
+                let [low, high] = heights.map(millimetres);
+                format!("not level: feet stand {low} to {high} m up, as their soles lie")
+            }
+        }
     }
 
     fn belt(&self) -> String {

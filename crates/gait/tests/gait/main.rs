@@ -65,3 +65,4 @@ mod three_determinants_closure;
 mod three_determinants_laws;
 mod told;
 mod unequal;
+mod uneven;

@@ -19,6 +19,9 @@ const LONGEST_DOUBLE: f64 = 0.5;
 /// How long (s) a foot that stood alone and pressed beside its sole goes on to do so.
 const FADES: f64 = 0.15;
 
+/// A foot whose ball is lower than its heel by more than this (m) lands on its ball.
+const ON_BALL: f64 = 0.01;
+
 /// Less than this share is none.
 const LEAST: f64 = 1e-9;
 
@@ -30,6 +33,8 @@ pub(super) struct Sharing<'a> {
     pub(super) stances: &'a Stances,
     pub(super) total: &'a [BalanceFrame],
     loads: Vec<Load>,
+    /// By load, whether the foot lands on its ball.
+    on_ball: Vec<bool>,
     /// By foot, the topmost link of its leg: the first that no other foot hangs on.
     pub(super) hips: Vec<usize>,
     doubles: Vec<Double>,
@@ -53,7 +58,9 @@ impl<'a> Sharing<'a> {
         let loads = Load::all(&stances.list);
         let doubles = doubles(&stances.list, prepared.time());
         let hips = hips(prepared.figure, soles);
-        let mut out = Self { feet, prepared, soles, stances, total, loads, hips, doubles, alone: Vec::new() };
+        let on_ball = stances.list.iter().map(|stance| lands_on_ball(feet, stance, &stances.belt)).collect();
+        let mut out =
+            Self { feet, prepared, soles, stances, total, loads, on_ball, hips, doubles, alone: Vec::new() };
         out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
         out
     }
@@ -103,7 +110,7 @@ impl<'a> Sharing<'a> {
         (!standing.is_empty()).then_some(feet)
     }
 
-    /// Where a foot is expected to press: from the heel, where it comes while others stand, to where it first stands
+    /// Where a foot is expected to press: from the heel or the ball, whichever lands, where it comes while others stand, to where it first stands
     /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
     /// others stay. In place of what is not there stands the point half-way from heel to ball.
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
@@ -120,7 +127,11 @@ impl<'a> Sharing<'a> {
         });
         let plain =
             |pressed: Option<(f64, Vector3<f64>, Vector3<f64>)>| pressed.map(|(time, at, _)| (time, at));
-        let first = if load.comes() { heel } else { middle };
+        let first = match (load.comes(), self.on_ball[index]) {
+            (true, true) => ball,
+            (true, false) => heel,
+            (false, _) => middle,
+        };
         let last = if load.leaves() { tip } else { middle };
         let [(from, a), (to, b)] = match pressed.map(plain) {
             [Some(before), Some(after)] => [before, after],
@@ -222,6 +233,16 @@ impl<'a> Sharing<'a> {
         let time = self.prepared.time();
         (0..time.len()).filter(|row| self.standing(*row) > 1 && !self.is_regular(time[*row])).count()
     }
+}
+
+/// Whether a foot comes down with its ball lower than its heel, both against how they lie when it stands.
+fn lands_on_ball(feet: &PlacedFeet<'_>, stance: &Stance, belt: &Vector3<f64>) -> bool {
+    let (up, time) = (&feet.prepared().up, feet.prepared().time());
+    let row = time.partition_point(|time| *time < stance.start);
+    let Some((ground, at_rest)) = feet.lies(stance, belt).filter(|_| row < time.len()) else { return false };
+    let points = feet.frame(row)[stance.foot].points;
+    let [heel, ball] = [0, 1].map(|i| ground.above(&points[i], up) - at_rest[i]);
+    heel - ball > ON_BALL
 }
 
 /// Shares of two feet as the centre of pressure of both tells them:
