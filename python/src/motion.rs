@@ -11,6 +11,7 @@ use pyo3::types::{PyCapsule, PyDict};
 use solaris::files;
 use solaris::io::record;
 use solaris::model::{self, EventKind, Known, MotionInfo};
+use solaris::scene::OneOfSeveral;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -24,6 +25,10 @@ pub(crate) struct Motion {
     pub(crate) motion: Arc<model::Motion>,
     /// What a page says above it.
     pub(crate) title: String,
+    /// Whether its last sample is its first one again.
+    pub(crate) repeats: bool,
+    /// Of a scene with several figures each with its part of it.
+    pub(crate) several: Arc<Vec<OneOfSeveral>>,
 }
 
 /// Reads the motion of a figure: `.csv`, `.mot`, `.sto` or `.bvh`, in radians and metres afterwards.
@@ -43,7 +48,8 @@ pub(crate) fn read_motion(py: Python<'_>, figure: &Figure, path: PathBuf) -> PyR
 
 impl Motion {
     pub(crate) fn new(figure: &Figure, motion: model::Motion, title: String) -> Self {
-        Self { figure: figure.clone(), motion: Arc::new(motion), title }
+        let (figure, motion) = (figure.clone(), Arc::new(motion));
+        Self { figure, motion, title, repeats: false, several: Arc::default() }
     }
 
     fn view<'py>(

@@ -321,7 +321,7 @@ impl Walk {
             made.plan.step_frequency(),
             made.plan.step_length()
         );
-        let motion = Motion::new(&who, made.motion, title);
+        let motion = Motion { repeats: options.repeats.is_some(), ..Motion::new(&who, made.motion, title) };
         Ok(Self { figure: who, plan: made.plan, motion, report })
     }
 }

@@ -6,36 +6,53 @@ use pyo3::PyResult;
 use solaris::files::extension;
 use solaris::io::glb::{self, Actor, Clip};
 use solaris::io::{bvh, csv, parquet, record, sto, usd};
-use solaris::view::{FilmOptions, PageOptions, film};
+use solaris::skin::{Skin, skin};
+use solaris::view::{FilmOptions, PageOptions, PagePerson, film};
 use std::fs;
 use std::path::Path;
 
 /// The page of a motion.
 pub(crate) fn page(of: &Motion) -> PyResult<String> {
-    let options = PageOptions { title: of.title.clone(), ..PageOptions::default() };
+    let people = of.several.iter().map(|one| PagePerson { first: one.first, figure: one.alone.clone() });
+    let options = PageOptions { title: of.title.clone(), people: people.collect(), ..PageOptions::default() };
     solaris::view::page(of.figure.figure(), &of.motion, &options)
         .map_err(|error| plain("MotionError")(&error))
 }
 
 /// Writes a motion in the format of the path's extension.
 pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
-    let (figure, motion) = (of.figure.figure(), &*of.motion);
+    let figure = of.figure.figure();
     let refuse = |error: &dyn std::fmt::Display| of_path(path, &format!("{}: {error}", path.display()));
+    let format = extension(path);
+    // Pages and clips go by their time; who plays frame after frame shall not see one twice.
+    let by_frames = of.repeats && matches!(format.as_str(), "csv" | "bvh" | "mot" | "sto" | "parquet");
+    let shorter = by_frames.then(|| of.motion.without_last(figure)).transpose();
+    let shorter = shorter.map_err(|error| refuse(&error))?;
+    let motion = shorter.as_ref().unwrap_or(&of.motion);
     let mut bytes = Vec::new();
-    match extension(path).as_str() {
+    match format.as_str() {
         "html" => bytes = page(of)?.into_bytes(),
         "csv" => csv::write(figure, motion, &mut bytes).map_err(|error| refuse(&error))?,
         "bvh" => {
             bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(|error| refuse(&error))?;
         }
         "glb" => {
-            let actors = [Actor { name: figure.name(), figure, skin: None }];
-            let clips = [Clip { name: "motion", motions: vec![(0, motion)] }];
             let options = glb::Options { forces: arrows, ..glb::Options::default() };
+            let skins: Vec<Skin> = of.several.iter().map(|one| skin(&one.alone, detail(of))).collect();
+            let several = of.several.iter().zip(&skins);
+            let mut actors: Vec<Actor> = several
+                .map(|(one, skin)| Actor { name: &one.name, figure: &one.figure, skin: Some(skin) })
+                .collect();
+            let mut motions: Vec<_> = of.several.iter().map(|one| &one.motion).enumerate().collect();
+            if actors.is_empty() {
+                actors.push(Actor { name: figure.name(), figure, skin: None });
+                motions.push((0, motion));
+            }
+            let clips = [Clip { name: "motion", motions }];
             glb::write(&actors, &clips, options, &mut bytes).map_err(|error| refuse(&error))?;
         }
         "usda" => {
-            let skin = solaris::skin::skin(figure, glb::Detail::default());
+            let skin = skin(figure, glb::Detail::default());
             usd::write(figure, &skin, "motion", motion, &mut bytes).map_err(|error| refuse(&error))?;
         }
         "mot" | "sto" => {
@@ -62,6 +79,11 @@ pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
         }
     }
     place(path, &bytes).map_err(|error| refuse(&error))
+}
+
+/// Of many people skins are rough.
+fn detail(of: &Motion) -> glb::Detail {
+    if of.several.len() > 4 { glb::Detail::Rough } else { glb::Detail::default() }
 }
 
 /// Writes beside the place and renames, so that nobody finds half a file.

@@ -82,3 +82,18 @@ def test_two_workers_of_ray_are_as_one(tmp_path):
 def test_what_is_asked_wrong_is_said(tmp_path, capsys):
     assert dataset._main(["--people", "0", "--out", str(tmp_path)]) == 1
     assert "at least 1" in capsys.readouterr().err
+    for wrong in (["--steps", "0"], ["--frames", "0"], ["--frames", "-3"], ["--seed", "-1"]):
+        assert dataset._main(["--people", "3", "--out", str(tmp_path), *wrong]) == 1
+        assert wrong[0][2:] in capsys.readouterr().err
+    assert not list(tmp_path.glob("part-*"))
+    (tmp_path / "_plan.json").write_text("{")
+    assert dataset._main(["--people", "3", "--out", str(tmp_path)]) == 1
+    assert "is no plan of a dataset" in capsys.readouterr().err
+
+
+def test_what_no_walk_can_be_asked_of_is_a_row_too():
+    batch = dataset.people(0, 3)
+    batch["mass_kg"] = [None, *batch["mass_kg"][1:]]
+    batch["seed"] = [batch["seed"][0], -1, batch["seed"][2]]
+    found = dataset.walks(batch, steps=4)
+    assert found["error"][0] and found["error"][1] and found["error"][2] == ""

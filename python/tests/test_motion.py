@@ -1,5 +1,6 @@
 """Motions, walks, scenes and files."""
 
+import json
 import pickle
 from pathlib import Path
 
@@ -73,6 +74,34 @@ def test_other_files(walk, tmp_path):
     assert raised.value.path.endswith("walk.fbx")
     with pytest.raises(solaris.FileError):
         walk.save(tmp_path / "nowhere" / "walk.csv")
+
+
+def test_loops_are_written_without_their_first_frame_a_second_time(tmp_path):
+    loop = solaris.walk(loop="in_place", rate=30.0)
+    frames = len(loop.motion) - 1
+    for name in ("loop.bvh", "loop.csv"):
+        loop.save(tmp_path / name)
+    text = (tmp_path / "loop.bvh").read_text()
+    assert f"Frames: {frames}\n" in text
+    assert len((tmp_path / "loop.csv").read_text().splitlines()) == frames + 1
+    # What does not repeat itself is written whole.
+    loop.motion.save(tmp_path / "again.bvh")
+    assert (tmp_path / "again.bvh").read_text() == text
+    walk = solaris.walk(steps=4, rate=30.0)
+    walk.save(tmp_path / "walk.bvh")
+    assert f"Frames: {len(walk.motion)}\n" in (tmp_path / "walk.bvh").read_text()
+
+
+def test_figures_of_a_scene_are_nodes_and_skins_of_their_own(tmp_path):
+    run = solaris.run(FIXTURES / "scenes" / "crossing.ron", duration=0.2)
+    run.save(tmp_path / "crossing.glb")
+    data = (tmp_path / "crossing.glb").read_bytes()
+    length = int.from_bytes(data[12:16], "little")
+    file = json.loads(data[20 : 20 + length])
+    names = [file["nodes"][node]["name"] for node in file["scenes"][0]["nodes"]]
+    assert len(file["skins"]) > 1 and len(set(names)) == len(names)
+    assert [animation["name"] for animation in file["animations"]] == ["motion"]
+    assert "bodies" in run._repr_html_()
 
 
 def test_a_notebook_shows_a_page_that_cannot_escape(walk):

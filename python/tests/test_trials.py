@@ -123,6 +123,15 @@ def test_a_wrong_table_is_said(text, said, tmp_path, capsys):
     assert said in capsys.readouterr().err
 
 
+def test_names_of_files_are_apart_and_fit(tmp_path):
+    assert len(trials._file_name("\U00020000" * 80).encode()) < 255
+    table = tmp_path / "twice.csv"
+    # One letter, of which Python has one object.
+    table.write_text("trial,model\n1,a.osim\n1,b.osim\n")
+    with pytest.raises(ValueError, match="trials '1' and '1' would be one file"):
+        trials.read(table)
+
+
 def test_a_picture_takes_one_command(tmp_path, capsys):
     pytest.importorskip("matplotlib")
     out = tmp_path / "moments.svg"

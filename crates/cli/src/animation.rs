@@ -3,7 +3,6 @@
 use crate::args::{AskedRig, RigArgs};
 use crate::error::{CliError, UsageError};
 use crate::input::{self, extension};
-use crate::walk::without_last;
 use rayon::prelude::*;
 use solaris::io::bvh::{self, Unit};
 use solaris::io::glb::{Actor, Clip, Detail, Options, write};
@@ -37,7 +36,8 @@ pub(crate) fn bones(
 ) -> Result<(), CliError> {
     let mut write = |figure: &Figure, motion: &Motion| {
         // Cut on the rig: the track of its root is that of the whole.
-        let shorter = if repeats { Some(without_last(figure, motion)?) } else { None };
+        let shorter =
+            if repeats { Some(motion.without_last(figure).map_err(CliError::other)?) } else { None };
         let motion = shorter.as_ref().unwrap_or(motion);
         bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other)
     };

@@ -1,7 +1,6 @@
 //! `solaris walk`: a person walks.
 
 mod everyone;
-mod looped;
 mod notes;
 mod numbers;
 mod planned;
@@ -19,7 +18,6 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
 pub(crate) use everyone::dressed;
-pub(crate) use looped::without_last;
 use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
@@ -74,7 +72,8 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion, &[])?;
     // Pages and clips go by their time; who plays frame after frame shall not see one twice.
-    let shorter = if planned.repeats { Some(without_last(&figure, &motion)?) } else { None };
+    let shorter =
+        if planned.repeats { Some(motion.without_last(&figure).map_err(CliError::other)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);
     let carried = args.who.person.loads.iter().map(|(_, load)| load).sum();
     let report = Report::new((figure.mass(), carried), planned, &motion, measures, &lone, limbs);

@@ -376,6 +376,25 @@ impl Motion {
         Ok(())
     }
 
+    /// It without its last sample: of a loop the first one again, which who plays frame after frame shall not see twice. Events and planted points stay.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure.
+    pub fn without_last(&self, figure: &Figure) -> Result<Self, MotionError> {
+        self.check_figure(figure)?;
+        let mut shorter = self.clone();
+        let samples = shorter.time.len().saturating_sub(1);
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        shorter.time.truncate(samples);
+        shorter.q.truncate(nq * samples);
+        for column in [&mut shorter.v, &mut shorter.a, &mut shorter.tau] {
+            column.truncate(nv * samples);
+        }
+        shorter.contacts.iter_mut().for_each(|track| track.samples.truncate(samples));
+        Ok(shorter)
+    }
+
     /// Replaces the accelerations, `nv` a sample.
     ///
     /// # Errors

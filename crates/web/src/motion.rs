@@ -5,6 +5,7 @@ use crate::figure::Figure;
 use js_sys::JSON;
 use solaris::io::{bvh, csv};
 use solaris::model;
+use std::borrow::Cow;
 use wasm_bindgen::prelude::*;
 
 /// A sampled motion, with what is known of its forces.
@@ -14,6 +15,18 @@ pub struct Motion {
     pub(crate) motion: model::Motion,
     /// JSON.
     pub(crate) report: String,
+    /// Whether its last sample is its first one again.
+    pub(crate) repeats: bool,
+}
+
+impl Motion {
+    /// What is written frame after frame: a loop without its first frame a second time.
+    fn frames(&self) -> Result<Cow<'_, model::Motion>, JsError> {
+        if !self.repeats {
+            return Ok(Cow::Borrowed(&self.motion));
+        }
+        self.motion.without_last(&self.figure.figure).map(Cow::Owned).map_err(failed)
+    }
 }
 
 #[wasm_bindgen]
@@ -85,7 +98,7 @@ impl Motion {
     #[wasm_bindgen(js_name = toCsv)]
     pub fn to_csv(&self) -> Result<String, JsError> {
         let mut bytes = Vec::new();
-        csv::write(&self.figure.figure, &self.motion, &mut bytes).map_err(failed)?;
+        csv::write(&self.figure.figure, &*self.frames()?, &mut bytes).map_err(failed)?;
         String::from_utf8(bytes).map_err(failed)
     }
 
@@ -93,7 +106,8 @@ impl Motion {
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> Result<String, JsError> {
         let mut bytes = Vec::new();
-        bvh::write(&self.figure.figure, &self.motion, bvh::Unit::default(), &mut bytes).map_err(failed)?;
+        bvh::write(&self.figure.figure, &*self.frames()?, bvh::Unit::default(), &mut bytes)
+            .map_err(failed)?;
         String::from_utf8(bytes).map_err(failed)
     }
 }

@@ -13,5 +13,5 @@ pub fn run(source: &str) -> Result<Motion, JsError> {
     scene.settings_mut().forces = true;
     let done = scene.simulate(&mut ()).map_err(failed)?;
     let report = serde_json::to_string(&done.report).map_err(failed)?;
-    Ok(Motion { figure: Figure::own(scene.figure().clone()), motion: done.motion, report })
+    Ok(Motion { figure: Figure::own(scene.figure().clone()), motion: done.motion, report, repeats: false })
 }

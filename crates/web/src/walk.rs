@@ -72,5 +72,5 @@ pub fn walk(figure: &Figure, options: Option<WalkOptions>) -> Result<Motion, JsE
     let options: GaitOptions = options.map_or(Ok(GaitOptions::default()), |options| plain(&options))?;
     let made = options.make(&figure.figure).map_err(failed)?;
     let report = serde_json::to_string(&made).map_err(failed)?;
-    Ok(Motion { figure: figure.clone(), motion: made.motion, report })
+    Ok(Motion { figure: figure.clone(), motion: made.motion, report, repeats: options.repeats.is_some() })
 }

@@ -28,3 +28,9 @@ def by_ray(make: Callable[[int], Path], count: int, workers: Optional[int]) -> l
     parts = ray.data.range(count, override_num_blocks=count)
     done = parts.map_batches(makes, batch_size=1, concurrency=workers).take_all()
     return sorted(Path(row["path"]) for row in done)
+
+
+def threads() -> int:
+    """How many threads a part may have: as ``OMP_NUM_THREADS`` says, which Ray sets to the cores of a task, or one a core."""
+    said = os.environ.get("OMP_NUM_THREADS", "")
+    return int(said) if said.isdigit() and int(said) > 0 else os.cpu_count() or 1

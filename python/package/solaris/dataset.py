@@ -26,7 +26,7 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 import solaris
-from solaris._parts import by_ray, write
+from solaris._parts import by_ray, threads, write
 
 __all__ = ["make", "part", "people", "walks"]
 
@@ -82,7 +82,7 @@ def walks(batch: Mapping[str, Any], steps: int = 10, frames: Optional[float] = N
                 steps=steps,
                 rate=frames or 60.0,
             )
-        except solaris.SolarisError as error:
+        except (solaris.SolarisError, OverflowError, TypeError, ValueError) as error:
             return {}, str(error), None
         motion = walk.motion
         assert motion.tau is not None, "a walk has its forces"
@@ -90,7 +90,7 @@ def walks(batch: Mapping[str, Any], steps: int = 10, frames: Optional[float] = N
         return _measured(walk), "", kept
 
     # Planning lets go of Python, so that threads use the cores of this machine.
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(threads()) as pool:
         found = list(pool.map(one, range(rows)))
     table = {name: batch[name] for name in batch}
     for name in MEASURES:
@@ -158,12 +158,14 @@ def make(
     """Writes a dataset, or goes on with one, and gives the paths of its parts. Another plan in the same folder is refused."""
     if people < 1 or part_size < 1:
         raise ValueError(f"people is {people} and part_size {part_size}; both must be at least 1")
+    if seed < 0 or steps < 1 or (frames is not None and not 0.0 < frames < float("inf")):
+        raise ValueError(f"seed is {seed}, steps {steps} and frames {frames}; they must be at least 0, at least 1 and above 0 or left out")
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     plan: dict[str, Any] = {"people": people, "seed": seed, "steps": steps, "frames": frames, "part": part_size}
     # Begins as what readers of whole folders leave out.
     said = folder / "_plan.json"
-    if said.exists() and json.loads(said.read_text()) != plan:
+    if said.exists() and _read(said) != plan:
         raise ValueError(f"{said} is of another dataset: {said.read_text().strip()}; name another folder, or ask for the same")
     beside = said.with_name(f".plan-{os.getpid()}.json")
     beside.write_text(json.dumps(plan) + "\n")
@@ -180,6 +182,13 @@ def make(
     if progress:
         print(file=sys.stderr)
     return done
+
+
+def _read(plan: Path) -> Any:
+    try:
+        return json.loads(plan.read_text())
+    except ValueError:
+        raise ValueError(f"{plan} is no plan of a dataset; name another folder, or delete it if its parts are of this very command") from None
 
 
 def _main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -208,6 +217,9 @@ def _main(arguments: Optional[Sequence[str]] = None) -> int:
     except (ValueError, OSError, ImportError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("\nstopped; the same command goes on where this one was", file=sys.stderr)
+        return 130
     print(f"{len(paths)} files in {asked.out}")
     return 0
 

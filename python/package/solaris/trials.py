@@ -39,7 +39,7 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 import solaris
-from solaris._parts import by_ray, write
+from solaris._parts import by_ray, threads, write
 
 __all__ = ["make", "read", "solve", "solve_one"]
 
@@ -67,13 +67,13 @@ def read(path: os.PathLike[str] | str) -> dict[str, list[str]]:
     table = {name: [row[at].strip() for row in rows] for at, name in enumerate(names)}
     for name in set(PATHS) & set(names):
         table[name] = [str(Path(path).parent / field) if field else "" for field in table[name]]
-    taken: dict[str, str] = {}
-    for trial in table["trial"]:
+    taken: dict[str, int] = {}
+    for row, trial in enumerate(table["trial"]):
         file_name = _file_name(trial)
         # Names that differ in their letters' case are one file on some disks.
-        other = taken.setdefault(file_name.lower(), trial)
-        if other is not trial:
-            raise ValueError(f"{path}: trials '{other}' and '{trial}' would be one file, {file_name}")
+        other = taken.setdefault(file_name.lower(), row)
+        if other != row:
+            raise ValueError(f"{path}: trials '{table['trial'][other]}' and '{trial}' would be one file, {file_name}")
     return table
 
 
@@ -84,7 +84,7 @@ def solve(batch: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
     """
     rows = range(len(batch["trial"]))
     # Analyses let go of Python, so that threads use the cores of this machine.
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(threads()) as pool:
         found = list(pool.map(lambda row: solve_one({name: batch[name][row] for name in batch}), rows))
     table: dict[str, Any] = {name: list(batch[name]) for name in batch}
     for name in MEASURES:
@@ -153,6 +153,8 @@ def _plates(said: str) -> dict[str, str]:
 
 def _file_name(trial: str) -> str:
     clean = "".join(letter if letter.isalnum() or letter in "-_." else "_" for letter in trial[:80]).lstrip(".")
+    # Names of files have so many bytes.
+    clean = clean.encode()[:200].decode(errors="ignore")
     return f"{clean or '_'}.parquet"
 
 
@@ -234,6 +236,9 @@ def _main(arguments: Optional[Sequence[str]] = None) -> int:
     except (ValueError, OSError, ImportError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("\nstopped; the same command goes on where this one was", file=sys.stderr)
+        return 130
     wrong = [row for row in rows if row["error"]]
     for row in wrong[:3]:
         print(f"{row['trial']}: {row['error']}", file=sys.stderr)

@@ -9,20 +9,30 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Stairs that strides were tried on: rise and tread of a step (m).
 pub const STAIRS: ((f64, f64), (f64, f64)) = ((0.10, 0.20), (0.25, 0.35));
 
-/// The rise that was fitted to (m).
+/// The rise that was fitted to (m), and thigh and shank of who walked there (m).
 const FITTED_RISE: f64 = 0.17;
+const FITTED_LEG: f64 = 0.86;
+/// For a leg that is so much shorter than that one, in parts of it: how much the leg on the higher tread is shortened, in parts of the rise (up, down), and on the
+/// way up how much less the knee of the other one is bent at toe-off (rad), and how much slower it bends then (rad by u).
+const SHORT_LEG: (f64, f64) = (1.5, 1.35);
+const SHORT_TOE_OFF: (f64, f64) = (60.0 * DEGREE, 500.0 * DEGREE);
 
 impl Style {
     /// The style on stairs whose steps rise by `rise` (m, negative on the way down), for a figure of this height (m) with this leg; the step
     /// length is the tread.
     ///
     /// Fitted offline to what people do on stairs of 0.17 m over 0.29 m (docs/slopes.md). The leg on the higher tread, ahead on the way up and
-    /// behind on the way down, is bent by how far the body is below its height there: on lower stairs it is as much longer as they are lower.
+    /// behind on the way down, is bent by how far the body is below its height there: on lower stairs it is as much longer as they are lower. For
+    /// shorter legs the same stairs are higher: the leg on the higher tread is bent more, so that the other ankle need neither bend by more nor push from farther up than
+    /// ankles do.
     #[must_use]
     pub fn on_stairs(&self, leg: &LegGeometry, height: f64, rise: f64) -> Self {
         let up = rise > 0.0;
         // A leg that lands on a higher stair than the fitted ones bends by itself.
         let longer = if up { (FITTED_RISE - rise).max(0.0) } else { FITTED_RISE + rise };
+        let short = (1.0 - (leg.thigh + leg.shank) / FITTED_LEG).max(0.0);
+        let longer = longer - short * FITTED_RISE * if up { SHORT_LEG.0 } else { SHORT_LEG.1 };
+        let (less, slower) = if up { SHORT_TOE_OFF } else { (0.0, 0.0) };
         let stretched = |knee: f64| {
             if longer == 0.0 { knee } else { leg.knee_for((leg.reach_squared(knee).sqrt() + longer).powi(2)) }
         };
@@ -45,8 +55,8 @@ impl Style {
             heel_strike_angle: 0.0,
             knee_contact: ahead,
             knee_push: behind(angle((12.25, 54.24))),
-            knee_toe_off: behind(angle((34.25, 81.06))),
-            knee_toe_off_rate: angle((249.27, 277.66)),
+            knee_toe_off: behind(angle((34.25, 81.06))) - short * less,
+            knee_toe_off_rate: angle((249.27, 277.66)) - short * slower,
             knee_toe_off_acc: angle((-1112.91, 881.23)),
             toe_roll: angle((30.62, 0.0)),
             cop_middle: of((0.6584, 0.7693)),

@@ -3,6 +3,7 @@
 use solaris_model::{
     AxisKind, EulerOrder, Figure, Joint, JointKind, Link, Placement, UnitQuaternion, Vector3,
 };
+use std::collections::BTreeSet;
 
 /// The order in which a joint is written that BVH does not know: the most common in BVH.
 pub(super) const ORDER: EulerOrder = EulerOrder::Zyx;
@@ -62,13 +63,14 @@ impl Skeleton {
     /// The figure in a world that is turned by `world`.
     pub(super) fn of(figure: &Figure, world: UnitQuaternion<f64>) -> Self {
         let mut nodes: Vec<Node> = Vec::new();
+        let mut taken = BTreeSet::new();
         for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
             let placement = *link.joint().placement();
             let placement = if i == 0 { world * placement } else { placement };
             let channels = channels(link.joint(), placement, at.q);
             let slides = link.joint().kind().slides().next().is_some();
             nodes.push(Node {
-                name: link.name().replace(|c: char| c.is_whitespace() || matches!(c, '{' | '}'), "_"),
+                name: unique(link.name(), &mut taken),
                 children: Vec::new(),
                 offset: placement.translation.vector,
                 end: end(link),
@@ -133,4 +135,13 @@ fn own(kind: &JointKind, first: usize) -> Option<Channels> {
 fn end(link: &Link) -> Vector3<f64> {
     let stub = || link.com().try_normalize(1e-9).unwrap_or_else(Vector3::y) * STUB;
     link.tip().copied().unwrap_or_else(stub)
+}
+
+/// A name of one word that no other bone has: `a_b`, `a_b_2`.
+fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let made = name.replace(|c: char| c.is_whitespace() || c.is_control() || matches!(c, '{' | '}'), "_");
+    let numbered = (2..).map(|number| format!("{made}_{number}"));
+    let mut all = std::iter::once(made.clone()).chain(numbered);
+    // They do not end.
+    all.find(|name| taken.insert(name.clone())).unwrap_or_default()
 }

@@ -7,8 +7,8 @@ use solaris_io::{
     bvh::{self, Unit},
 };
 use solaris_model::{
-    Axis, AxisKind, Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Matrix3, Motion, Rotation3, Vector3,
-    human,
+    Axis, AxisKind, Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Matrix3, Motion, MotionInfo,
+    Rotation3, Vector3, human,
 };
 
 fn text(figure: &Figure, motion: &Motion, unit: Unit) -> String {
@@ -290,4 +290,39 @@ fn a_failing_writer_is_an_error() {
         assert!(matches!(error, IoError::Write(_)), "{error}");
     }
     bvh::write(&figure, &motion, Unit::default(), &mut Full { left: size }).expect("just enough room");
+}
+
+/// Bones are told apart by their names where they are read, and a name is one word.
+#[test]
+fn names_that_become_one_are_told_apart() {
+    let names = ["hip", "a b", "a_b", "a\u{0}b", "a\tb"];
+    let joint = |i: usize| if i == 0 { Joint::free("root") } else { Joint::new(format!("j{i}")).rx() };
+    let mut builder = FigureBuilder::new("odd");
+    for (i, name) in names.iter().enumerate() {
+        let at = joint(i).at(Vector3::new(0.0, 0.1, 0.0));
+        builder = builder.link(match i {
+            0 => LinkSpec::root(*name, at).mass(1.0),
+            _ => LinkSpec::child(*name, names[i - 1], at).mass(1.0),
+        });
+    }
+    let figure = builder.build().expect("a figure");
+    let mut q = vec![0.0; figure.layout().nq()];
+    figure.neutral(&mut q).expect("the neutral posture");
+    let first = q.len() - 4;
+    q[first..].copy_from_slice(&[0.1, 0.2, 0.3, 0.4]);
+    let still = vec![0.0; figure.layout().nv()];
+    let info = MotionInfo::on_earth(&figure, 30.0);
+    let motion = Motion::new(&figure, info, vec![0.0], [q, still.clone(), still]).expect("a motion");
+    let mut text = Vec::new();
+    bvh::write(&figure, &motion, Unit::Metres, &mut text).expect("written");
+    let text = String::from_utf8(text).expect("text");
+    for name in ["JOINT a_b\n", "JOINT a_b_2\n", "JOINT a_b_3\n", "JOINT a_b_4\n"] {
+        assert!(text.contains(name), "{name}: {text}");
+    }
+    let options = bvh::ReadOptions { unit: Some(Unit::Metres), ..Default::default() };
+    let clip = bvh::read(&text, &options).expect("read");
+    let [ours, theirs] =
+        [(&figure, &motion), (&clip.figure, &clip.motion)].map(|(of, motion)| of.places(motion.q(0)));
+    let off = (ours[4].translation.vector - theirs[4].translation.vector).norm();
+    assert!(off < 1e-6, "{off} m");
 }
