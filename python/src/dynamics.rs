@@ -111,7 +111,8 @@ impl Dynamics {
                 external.clear();
                 external.extend(tracks.iter().map(|(link, of_states)| (*link, of_states[0])));
                 let solve = if inverse { kernel::inverse_dynamics } else { kernel::forward_dynamics };
-                return solve(&self.tree, workspace, q, v, given, external, out).map_err(errors::dynamics);
+                let solved = self.compute(py, || solve(&self.tree, workspace, q, v, given, external, out));
+                return solved.map_err(errors::dynamics);
             }
             let external: Vec<(usize, &[Wrench<f64>])> =
                 tracks.iter().map(|(link, wrenches)| (*link, wrenches.as_slice())).collect();
@@ -166,30 +167,38 @@ impl Dynamics {
         Ok(scratch.batch.as_mut().expect("it was made"))
     }
 
+    /// Computes, without Python where that takes longer than to let go of it.
+    fn compute<R: Send>(&self, py: Python<'_>, run: impl FnOnce() -> R + Send) -> R {
+        if self.tree.nv() > SMALL { py.detach(run) } else { run() }
+    }
+
     /// What one state gives, `q` alone asked for.
-    fn at<'py, R>(
+    fn at<'py, R: Send>(
         &self,
         py: Python<'py>,
         q: &Bound<'py, PyAny>,
-        run: impl FnOnce(&Tree<f64>, &mut Workspace<f64>, &[f64]) -> Result<R, kernel::DynamicsError>,
+        run: impl FnOnce(&Tree<f64>, &mut Workspace<f64>, &[f64]) -> Result<R, kernel::DynamicsError> + Send,
     ) -> PyResult<R> {
         let q = States::of("q", q, self.tree.nq())?;
         one(&q)?;
-        run(&self.tree, &mut self.lock(py).workspace, q.numbers()).map_err(errors::dynamics)
+        let (q, mut scratch) = (q.numbers(), self.lock(py));
+        let workspace = &mut scratch.workspace;
+        self.compute(py, || run(&self.tree, workspace, q)).map_err(errors::dynamics)
     }
 
     /// What one state gives, with its velocity.
-    fn moving<'py, R>(
+    fn moving<'py, R: Send>(
         &self,
         py: Python<'py>,
         [q, v]: [&Bound<'py, PyAny>; 2],
-        run: impl FnOnce(&Tree<f64>, &mut Workspace<f64>, [&[f64]; 2]) -> Result<R, kernel::DynamicsError>,
+        run: impl FnOnce(&Tree<f64>, &mut Workspace<f64>, [&[f64]; 2]) -> Result<R, kernel::DynamicsError> + Send,
     ) -> PyResult<R> {
         let (q, v) = (States::of("q", q, self.tree.nq())?, States::of("v", v, self.tree.nv())?);
         one(&q)?;
         v.check_rows("v", None)?;
-        let states = [q.numbers(), v.numbers()];
-        run(&self.tree, &mut self.lock(py).workspace, states).map_err(errors::dynamics)
+        let (states, mut scratch) = ([q.numbers(), v.numbers()], self.lock(py));
+        let workspace = &mut scratch.workspace;
+        self.compute(py, || run(&self.tree, workspace, states)).map_err(errors::dynamics)
     }
 
     fn square(&self) -> DMatrix<f64> {
@@ -206,6 +215,9 @@ impl Dynamics {
         Ok(frame)
     }
 }
+
+/// Up to so many degrees of freedom the kernel takes microseconds.
+const SMALL: usize = 100;
 
 fn one(q: &States<'_>) -> PyResult<()> {
     match q.rows {

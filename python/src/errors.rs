@@ -112,13 +112,18 @@ pub(crate) fn gait(error: GaitError) -> PyErr {
         GaitError::Request(
             RequestError::Range { parameter, value, lower, upper, unit, .. }
             | RequestError::StepLength { parameter, value, lower, upper, unit, .. },
-        ) => Some((*parameter, *value, *lower, *upper, unit.trim())),
+        ) => Some((*parameter, [*value, *lower, *upper], unit.trim())),
         _ => None,
     };
+    // Angles of arguments are in rad; numbers of the style are in their own units.
+    let range = range.map(|(parameter, numbers, unit)| match parameter {
+        "slope" | "turn" => (parameter, numbers.map(f64::to_radians), "rad"),
+        _ => (parameter, numbers, unit),
+    });
     Python::attach(|py| {
         let build = || -> PyResult<Bound<'_, PyDict>> {
             let fields = PyDict::new(py);
-            if let Some((parameter, value, lower, upper, unit)) = range {
+            if let Some((parameter, [value, lower, upper], unit)) = range {
                 fields.set_item("parameter", parameter.replace([' ', '-'], "_"))?;
                 fields.set_item("value", value)?;
                 fields.set_item("lower", lower)?;

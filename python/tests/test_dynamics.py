@@ -1,5 +1,8 @@
 """The kernel from Python: shapes, refusals, and what laws say of the numbers."""
 
+import threading
+import time
+
 import numpy as np
 import pytest
 
@@ -153,3 +156,32 @@ def test_quaternions_integrate():
     q = ball.integrate(ball.neutral(), np.array([0.0, 0.0, np.pi / 2]))
     assert np.allclose(q, [0, 0, np.sqrt(0.5), np.sqrt(0.5)])
     assert np.allclose(ball.difference(ball.neutral(), q), [0, 0, np.pi / 2])
+
+
+def test_other_threads_go_on_while_a_long_chain_is_computed(tmp_path):
+    """Mass matrices of a chain of 1500 joints take milliseconds, in which Python is let go."""
+    links = "".join(f'<link name="l{i}"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' for i in range(1501))
+    joint = '<joint name="j{0}" type="continuous"><parent link="l{0}"/><child link="l{1}"/><origin xyz="0 0 0.1"/><axis xyz="1 0 0"/></joint>'
+    path = tmp_path / "chain.urdf"
+    path.write_text(f'<robot name="chain">{links}{"".join(joint.format(i, i + 1) for i in range(1500))}</robot>')
+    figure = solaris.read_figure(path)
+    dynamics, q = solaris.Dynamics(figure), np.zeros(figure.nq)
+    dynamics.mass_matrix(q)
+    ticks, done = 0, threading.Event()
+
+    def tick():
+        nonlocal ticks
+        while not done.wait(2e-4):
+            ticks += 1
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    start = time.monotonic()
+    calls = 0
+    while time.monotonic() - start < 0.5:
+        dynamics.inverse_mass_matrix(q)
+        calls += 1
+    done.set()
+    ticker.join()
+    # Held, there would be one or two a call.
+    assert ticks > 4 * calls, (ticks, calls)

@@ -175,6 +175,14 @@ def test_what_cannot_be_walked_says_why(wrong, message):
     assert message in str(raised.value)
 
 
+def test_the_range_of_an_angle_is_in_its_argument_s_unit():
+    with pytest.raises(solaris.WalkError, match="-15 to 15") as raised:
+        solaris.walk(slope=1.0)
+    error = raised.value
+    assert (error.parameter, error.unit) == ("slope", "rad") and error.lower == -error.upper
+    assert error.value == pytest.approx(1.0) and error.upper == pytest.approx(np.radians(15.0))
+
+
 def test_a_walker_is_steered():
     walker = solaris.Walker()
     for _ in range(900):

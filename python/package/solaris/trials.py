@@ -68,11 +68,11 @@ def read(path: os.PathLike[str] | str) -> dict[str, list[str]]:
     for name in set(PATHS) & set(names):
         table[name] = [str(Path(path).parent / field) if field else "" for field in table[name]]
     taken: dict[str, int] = {}
-    for row, trial in enumerate(table["trial"]):
+    for index, trial in enumerate(table["trial"]):
         file_name = _file_name(trial)
         # Names that differ in their letters' case are one file on some disks.
-        other = taken.setdefault(file_name.lower(), row)
-        if other != row:
+        other = taken.setdefault(file_name.lower(), index)
+        if other != index:
             raise ValueError(f"{path}: trials '{table['trial'][other]}' and '{trial}' would be one file, {file_name}")
     return table
 

@@ -164,6 +164,21 @@ fn stairs_for_the_tall_and_the_short() {
     }
 }
 
+/// The same stairs are higher for short legs: knees bend more, and ankles stay within what they can.
+#[test]
+fn short_people_go_up_and_down_the_stairs_of_everyone() {
+    for height in [1.46, 1.50, 1.56, 1.63] {
+        let figure = human(height, 22.0 * height * height).expect("a person");
+        for (rise, tread) in [(0.15, 0.30), (0.17, 0.29)] {
+            for (rise, step_frequency) in [(rise, 80.0), (rise, 100.0), (-rise, 90.0), (-rise, 100.0)] {
+                let stairs = WalkGround::Stairs(Stairs { count: 6, rise, tread });
+                let name = format!("{height} m, rise {rise} over {tread} at {step_frequency}");
+                judge_loaded(&name, &figure, &request(stairs, step_frequency), 160.0);
+            }
+        }
+    }
+}
+
 /// A slope of next to nothing is the same walk as level ground that is told by its points.
 #[test]
 fn hardly_a_slope_is_level() {
