@@ -61,6 +61,8 @@ pub(crate) struct PlanCheck<'a> {
     pub(crate) has_steady: bool,
     /// Whether one leg is shorter: it comes nearer to being straight, where its acceleration is without bound.
     pub(crate) legs_differ: bool,
+    /// Whether it is gone in reversed time, so that samples fall between those of the check.
+    pub(crate) backward: bool,
 }
 
 impl PlanCheck<'_> {
@@ -158,7 +160,8 @@ impl PlanCheck<'_> {
     pub(crate) fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         // In bends of half a metre the last leg is straight as the other one closes beside it.
         let is_straight = self.route.is_even() && plan.legs().least_knee.0 < NEARLY_STRAIGHT;
-        let rate = match (is_straight, self.deviates) {
+        let is_between = self.backward && !self.route.is_level();
+        let rate = match (is_straight || is_between, self.deviates) {
             (true, _) => FINEST_RATE,
             (false, true) => FINE_RATE,
             (false, false) => RATE,

@@ -114,9 +114,17 @@ impl<'a> Planner<'a> {
         let plan = planned(route)?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let has_steady = has_steady && route.is_level();
-        let legs_differ = legs_differ(self.body);
-        let check =
-            PlanCheck { figure: self.figure, route, nearest, deviates, tempo, has_steady, legs_differ };
+        let (legs_differ, backward) = (legs_differ(self.body), styling.backward);
+        let check = PlanCheck {
+            figure: self.figure,
+            route,
+            nearest,
+            deviates,
+            tempo,
+            has_steady,
+            legs_differ,
+            backward,
+        };
         check.check(&plan)?;
         // A body that is heavier on one side is judged as it walks.
         let sided = |plan: WalkPlan| {
