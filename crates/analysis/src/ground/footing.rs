@@ -8,8 +8,9 @@ use solaris_dynamics::Wrench;
 const APART: f64 = 0.05;
 /// Soles that stand tilted by less than this (rad) stand on a tread: as far off are guessed soles.
 const TILTED: f64 = 4.0 * std::f64::consts::PI / 180.0;
-/// A sole steeper than this (rad) is on its edge, and says nothing of the ground.
+/// A sole steeper than this (rad), or of which a point moves faster than this (m/s), stands on an edge: its lowest point alone is on the ground.
 const STEEPEST: f64 = 30.0 * std::f64::consts::PI / 180.0;
+const STILL: f64 = 0.25;
 /// The share of a stance's frames in which the sole is slowest: there it lies on the ground.
 const SLOWEST: f64 = 0.2;
 
@@ -20,6 +21,22 @@ pub struct Footing {
     pub point: Vector3<f64>,
     /// Its unit normal, up.
     pub normal: Vector3<f64>,
+}
+
+/// How a foot lies on what it stands on.
+pub(super) struct Lying {
+    pub(super) footing: Footing,
+    /// How far (m) heel, ball and tip lie above it.
+    pub(super) above: [f64; 3],
+    /// The height (m, along up) of the lowest of them.
+    lowest: f64,
+}
+
+impl Lying {
+    /// How far (m) heel, ball and tip of the foot are above where they lie.
+    pub(super) fn raised(&self, points: &[Vector3<f64>; 3], up: &Vector3<f64>) -> [f64; 3] {
+        [0, 1, 2].map(|i| self.footing.above(&points[i], up) - self.above[i])
+    }
 }
 
 impl Footing {
@@ -107,17 +124,17 @@ impl PlacedFeet<'_> {
     /// What the foot of each stance stands on, as its sole lies while it moves least against ground of the velocity `belt` (m/s); nothing where all
     /// stand on level ground.
     pub fn footings(&self, list: &[Stance], belt: &Vector3<f64>) -> Vec<Footing> {
-        let up = &self.prepared().up;
-        let found: Option<Vec<Footing>> =
-            list.iter().map(|stance| Some(self.lies(stance, belt)?.0)).collect();
-        let mut heights = found.iter().flatten().map(|footing| footing.point.dot(up)).collect::<Vec<_>>();
-        heights.sort_by(f64::total_cmp);
-        let is_level = heights.last().zip(heights.first()).is_none_or(|(high, low)| high - low <= APART);
-        found.filter(|_| !is_level).unwrap_or_default()
+        let found: Option<Vec<Lying>> = list.iter().map(|stance| self.lies(stance, belt)).collect();
+        let found = found.unwrap_or_default();
+        // A heel that is up already is not the ground: lowest points are.
+        let lowest = || found.iter().map(|lying| lying.lowest);
+        let (low, high) =
+            (lowest().fold(f64::INFINITY, f64::min), lowest().fold(f64::NEG_INFINITY, f64::max));
+        if high - low > APART { found.iter().map(|lying| lying.footing).collect() } else { Vec::new() }
     }
 
-    /// What the foot of a stance stands on, and how far (m) heel, ball and tip lie above it; `None` where no frame is of the stance.
-    pub(super) fn lies(&self, stance: &Stance, belt: &Vector3<f64>) -> Option<(Footing, [f64; 3])> {
+    /// How the foot of a stance lies while it moves least; `None` where no frame is of the stance, and of a sole without length.
+    pub(super) fn lies(&self, stance: &Stance, belt: &Vector3<f64>) -> Option<Lying> {
         let (up, time) = (&self.prepared().up, self.prepared().time());
         let mut rows: Vec<(f64, usize)> = time
             .iter()
@@ -141,11 +158,12 @@ impl PlacedFeet<'_> {
         let side = up.cross(&along);
         let tilted = along.cross(&side).try_normalize(1e-9)?;
         let tilt = tilted.angle(up);
-        let is_on_edge = tilt > STEEPEST;
+        let is_on_edge = tilt > STEEPEST || rows[slowest - 1].0 > STILL;
         let normal = if tilt < TILTED || is_on_edge { *up } else { tilted };
         let lowest = [heel, ball, tip].into_iter().min_by(|a, b| a.dot(up).total_cmp(&b.dot(up)))?;
         let point = if is_on_edge { lowest } else { heel.lerp(&ball, 0.5) };
         let footing = Footing { point, normal };
-        Some((footing, sums.map(|point| footing.above(&point, up))))
+        let above = sums.map(|point| footing.above(&point, up));
+        Some(Lying { footing, above, lowest: lowest.dot(up) })
     }
 }

@@ -44,7 +44,7 @@ const FINE_RATE: f64 = 240.0;
 /// A knee that comes nearer to being straight than this (rad) has accelerations without bound for a few milliseconds, and how often it is
 /// looked at (1/s).
 const NEARLY_STRAIGHT: f64 = DEGREE;
-const FINEST_RATE: f64 = 960.0;
+pub(super) const FINEST_RATE: f64 = 960.0;
 
 /// Judges plans of a route.
 #[derive(Clone, Copy)]
@@ -61,8 +61,8 @@ pub(crate) struct PlanCheck<'a> {
     pub(crate) has_steady: bool,
     /// Whether one leg is shorter: it comes nearer to being straight, where its acceleration is without bound.
     pub(crate) legs_differ: bool,
-    /// Whether it is gone in reversed time, so that samples fall between those of the check.
-    pub(crate) backward: bool,
+    /// How often its motion is looked at, at least (1/s).
+    pub(crate) least_rate: f64,
 }
 
 impl PlanCheck<'_> {
@@ -160,13 +160,12 @@ impl PlanCheck<'_> {
     pub(crate) fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         // In bends of half a metre the last leg is straight as the other one closes beside it.
         let is_straight = self.route.is_even() && plan.legs().least_knee.0 < NEARLY_STRAIGHT;
-        let is_between = self.backward && !self.route.is_level();
-        let rate = match (is_straight || is_between, self.deviates) {
+        let rate = match (is_straight, self.deviates) {
             (true, _) => FINEST_RATE,
             (false, true) => FINE_RATE,
             (false, false) => RATE,
         };
-        let mut motion = plan.motion(self.figure, rate)?;
+        let mut motion = plan.motion(self.figure, rate.max(self.least_rate))?;
         let reactions = ground_reactions(self.figure, &mut motion, FEET, plan);
         let reactions = reactions.map_err(|error| match error {
             ReactionError::Pulls { time, .. } if !self.route.is_level() => self.refusal(

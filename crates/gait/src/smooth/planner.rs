@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::error::GaitError;
 use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
-use crate::smooth::plan_check::PlanCheck;
+use crate::smooth::plan_check::{FINEST_RATE, PlanCheck};
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
@@ -114,7 +114,9 @@ impl<'a> Planner<'a> {
         let plan = planned(route)?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let has_steady = has_steady && route.is_level();
-        let (legs_differ, backward) = (legs_differ(self.body), styling.backward);
+        let legs_differ = legs_differ(self.body);
+        // In reversed time samples fall between those of the walk forward.
+        let least_rate = if styling.backward && !route.is_level() { FINEST_RATE } else { 0.0 };
         let check = PlanCheck {
             figure: self.figure,
             route,
@@ -123,7 +125,7 @@ impl<'a> Planner<'a> {
             tempo,
             has_steady,
             legs_differ,
-            backward,
+            least_rate,
         };
         check.check(&plan)?;
         // A body that is heavier on one side is judged as it walks.

@@ -239,9 +239,8 @@ impl<'a> Sharing<'a> {
 fn lands_on_ball(feet: &PlacedFeet<'_>, stance: &Stance, belt: &Vector3<f64>) -> bool {
     let (up, time) = (&feet.prepared().up, feet.prepared().time());
     let row = time.partition_point(|time| *time < stance.start);
-    let Some((ground, at_rest)) = feet.lies(stance, belt).filter(|_| row < time.len()) else { return false };
-    let points = feet.frame(row)[stance.foot].points;
-    let [heel, ball] = [0, 1].map(|i| ground.above(&points[i], up) - at_rest[i]);
+    let Some(lying) = feet.lies(stance, belt).filter(|_| row < time.len()) else { return false };
+    let [heel, ball, _] = lying.raised(&feet.frame(row)[stance.foot].points, up);
     heel - ball > ON_BALL
 }
 

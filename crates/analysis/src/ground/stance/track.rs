@@ -86,10 +86,9 @@ impl<'a> Tracks<'a> {
             let time = self.placed.prepared().time()[row];
             let away = |stance: &Stance| (stance.start - time).max(time - stance.end).max(0.0);
             let nearest = own.iter().min_by(|a, b| away(a.0).total_cmp(&away(b.0)));
-            if let Some((_, (ground, at_rest))) = nearest {
-                let points = self.placed.frame(row)[foot].points;
+            if let Some((_, lying)) = nearest {
                 // Below the tread that it comes to it is not on it either.
-                *above = [0, 1, 2].map(|i| (ground.above(&points[i], up) - at_rest[i]).abs());
+                *above = lying.raised(&self.placed.frame(row)[foot].points, up).map(f64::abs);
             }
         }
         track
