@@ -42,6 +42,9 @@ struct Summary {
     refusals: Vec<String>,
 }
 
+/// What no folder is called.
+const FILES: [&str; 7] = ["bvh", "csv", "html", "json", "parquet", "svg", "usda"];
+
 pub(crate) fn run(args: &CrowdArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let people = match &args.people {
@@ -49,6 +52,12 @@ pub(crate) fn run(args: &CrowdArgs) -> Result<(), CliError> {
         None => People::drawn(args.count.unwrap_or_default()),
     };
     let is_one = extension(&args.output) == "glb" && !args.output.is_dir();
+    let file = extension(&args.output);
+    if !is_one && !args.output.is_dir() && FILES.contains(&file.as_str()) {
+        let why =
+            "this names a file, and a crowd is a folder with a file for each, or one .glb; see --format";
+        return Err(CliError::option("output", args.output.display().to_string(), why));
+    }
     let format = if is_one { "glb" } else { args.format.unwrap_or_default().extension() };
     animation::check_bones(&args.bones, &[format])?;
     let bones = animation::asked(&args.bones)?;

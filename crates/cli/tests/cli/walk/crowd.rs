@@ -88,3 +88,14 @@ fn faults_of_the_table_are_told() {
     let json: Value = serde_json::from_str(&succeeded(&json)).expect("JSON");
     assert_eq!((json["people"].as_u64(), json["walked"].as_u64()), (Some(2), Some(2)));
 }
+
+#[test]
+fn a_folder_that_is_called_as_a_file_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let message = refused(&solaris(folder.path(), &["crowd", "--count", "2", "-o", "people.usda"]));
+    assert!(
+        message.contains("--output people.usda: this names a file, and a crowd is a folder"),
+        "{message}"
+    );
+    assert!(!folder.path().join("people.usda").exists());
+}
