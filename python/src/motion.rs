@@ -232,7 +232,8 @@ impl Motion {
 
     /// Writes it, as the extension says: `.html` a page, `.glb` or `.usda` a body with its animation, `.bvh` motion capture, `.csv` or `.parquet` a table, `.mot` or
     /// `.sto` positions in degrees for OpenSim, `.svg` a film strip. The file is there whole or not at all. With `arrows` a `.glb` has nodes more: an arrow for each
-    /// force of a contact, 1 m for the body's weight, and a ball at the centre of mass.
+    /// force of a contact, 1 m for the body's weight, and a ball at the centre of mass. Of a loop, whose last sample is its first one again, tables and `.bvh` have one frame
+    /// less; of a scene with several figures a `.glb` has a body for each.
     #[pyo3(signature = (path, *, arrows=false))]
     fn save(&self, py: Python<'_>, path: PathBuf, arrows: bool) -> PyResult<()> {
         py.detach(|| written::save(self, &path, arrows))

@@ -99,7 +99,7 @@ fn simulate(
     let report = serde_json::to_value(&done.report).map_err(errors::value)?;
     let figure = Figure::own(scene.figure().clone());
     let notes = scene.notes().to_vec();
-    let several = scene.several(&done.motion).map_err(|error| plain("RunError")(&error))?;
+    let several = py.detach(|| scene.several(&done.motion)).map_err(|error| plain("RunError")(&error))?;
     let motion = Motion::new(&figure, done.motion, scene.name().to_owned());
     Ok(Run { motion: Motion { several: several.into(), ..motion }, report, notes })
 }

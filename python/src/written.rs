@@ -6,7 +6,8 @@ use pyo3::PyResult;
 use solaris::files::extension;
 use solaris::io::glb::{self, Actor, Clip};
 use solaris::io::{bvh, csv, parquet, record, sto, usd};
-use solaris::skin::{Skin, skin};
+use solaris::scene::OneOfSeveral;
+use solaris::skin::{Skin, parts, skin};
 use solaris::view::{FilmOptions, PageOptions, PagePerson, film};
 use std::fs;
 use std::path::Path;
@@ -26,8 +27,7 @@ pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
     let format = extension(path);
     // Pages and clips go by their time; who plays frame after frame shall not see one twice.
     let by_frames = of.repeats && matches!(format.as_str(), "csv" | "bvh" | "mot" | "sto" | "parquet");
-    let shorter = by_frames.then(|| of.motion.without_last(figure)).transpose();
-    let shorter = shorter.map_err(|error| refuse(&error))?;
+    let shorter = by_frames.then(|| of.motion.without_last());
     let motion = shorter.as_ref().unwrap_or(&of.motion);
     let mut bytes = Vec::new();
     match format.as_str() {
@@ -83,7 +83,8 @@ pub(crate) fn save(of: &Motion, path: &Path, arrows: bool) -> PyResult<()> {
 
 /// Of many people skins are rough.
 fn detail(of: &Motion) -> glb::Detail {
-    if of.several.len() > 4 { glb::Detail::Rough } else { glb::Detail::default() }
+    let is_person = |one: &&OneOfSeveral| !parts(&one.alone).is_empty();
+    if of.several.iter().filter(is_person).count() > 4 { glb::Detail::Rough } else { glb::Detail::default() }
 }
 
 /// Writes beside the place and renames, so that nobody finds half a file.

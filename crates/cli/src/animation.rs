@@ -36,8 +36,7 @@ pub(crate) fn bones(
 ) -> Result<(), CliError> {
     let mut write = |figure: &Figure, motion: &Motion| {
         // Cut on the rig: the track of its root is that of the whole.
-        let shorter =
-            if repeats { Some(motion.without_last(figure).map_err(CliError::other)?) } else { None };
+        let shorter = repeats.then(|| motion.without_last());
         let motion = shorter.as_ref().unwrap_or(motion);
         bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other)
     };

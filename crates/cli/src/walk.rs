@@ -72,8 +72,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion, &[])?;
     // Pages and clips go by their time; who plays frame after frame shall not see one twice.
-    let shorter =
-        if planned.repeats { Some(motion.without_last(&figure).map_err(CliError::other)?) } else { None };
+    let shorter = planned.repeats.then(|| motion.without_last());
     let frames = shorter.as_ref().unwrap_or(&motion);
     let carried = args.who.person.loads.iter().map(|(_, load)| load).sum();
     let report = Report::new((figure.mass(), carried), planned, &motion, measures, &lone, limbs);

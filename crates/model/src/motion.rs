@@ -376,23 +376,30 @@ impl Motion {
         Ok(())
     }
 
-    /// It without its last sample: of a loop the first one again, which who plays frame after frame shall not see twice. Events and planted points stay.
+    /// It without its last sample, forces and contacts as well: of a loop the first one again, which who plays frame after frame shall not see twice. Events and
+    /// planted points stay; of one sample nothing is left.
     ///
-    /// # Errors
-    ///
-    /// A motion of another figure.
-    pub fn without_last(&self, figure: &Figure) -> Result<Self, MotionError> {
-        self.check_figure(figure)?;
+    /// ```
+    /// use solaris_model::{Motion, MotionInfo, human};
+    /// let ann = human(1.65, 58.0)?;
+    /// let still = |width: usize| vec![0.0; 2 * width];
+    /// let (q, v) = (still(ann.layout().nq()), still(ann.layout().nv()));
+    /// let stands = Motion::new(&ann, MotionInfo::on_earth(&ann, 30.0), vec![0.0, 0.1], [q, v.clone(), v])?;
+    /// assert_eq!(stands.without_last().time(), [0.0]);
+    /// assert_eq!(stands.without_last().without_last().len(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn without_last(&self) -> Self {
         let mut shorter = self.clone();
         let samples = shorter.time.len().saturating_sub(1);
-        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
         shorter.time.truncate(samples);
-        shorter.q.truncate(nq * samples);
+        shorter.q.truncate(self.nq * samples);
         for column in [&mut shorter.v, &mut shorter.a, &mut shorter.tau] {
-            column.truncate(nv * samples);
+            column.truncate(self.nv * samples);
         }
         shorter.contacts.iter_mut().for_each(|track| track.samples.truncate(samples));
-        Ok(shorter)
+        shorter
     }
 
     /// Replaces the accelerations, `nv` a sample.

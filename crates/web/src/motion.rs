@@ -21,11 +21,8 @@ pub struct Motion {
 
 impl Motion {
     /// What is written frame after frame: a loop without its first frame a second time.
-    fn frames(&self) -> Result<Cow<'_, model::Motion>, JsError> {
-        if !self.repeats {
-            return Ok(Cow::Borrowed(&self.motion));
-        }
-        self.motion.without_last(&self.figure.figure).map(Cow::Owned).map_err(failed)
+    fn frames(&self) -> Cow<'_, model::Motion> {
+        if self.repeats { Cow::Owned(self.motion.without_last()) } else { Cow::Borrowed(&self.motion) }
     }
 }
 
@@ -98,7 +95,7 @@ impl Motion {
     #[wasm_bindgen(js_name = toCsv)]
     pub fn to_csv(&self) -> Result<String, JsError> {
         let mut bytes = Vec::new();
-        csv::write(&self.figure.figure, &*self.frames()?, &mut bytes).map_err(failed)?;
+        csv::write(&self.figure.figure, &self.frames(), &mut bytes).map_err(failed)?;
         String::from_utf8(bytes).map_err(failed)
     }
 
@@ -106,8 +103,7 @@ impl Motion {
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> Result<String, JsError> {
         let mut bytes = Vec::new();
-        bvh::write(&self.figure.figure, &*self.frames()?, bvh::Unit::default(), &mut bytes)
-            .map_err(failed)?;
+        bvh::write(&self.figure.figure, &self.frames(), bvh::Unit::default(), &mut bytes).map_err(failed)?;
         String::from_utf8(bytes).map_err(failed)
     }
 }

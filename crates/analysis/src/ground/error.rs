@@ -146,6 +146,12 @@ pub enum GroundError {
         /// The sole.
         sole: String,
     },
+    /// A footing that is no plane.
+    #[error("what stance {stance} stands on is no plane: its point must be finite, its normal of length 1")]
+    NoPlane {
+        /// Index of the stance.
+        stance: usize,
+    },
     /// A motion on stairs or a slope, of which a question for level ground is asked.
     #[error(
         "feet stand {apart:.2} m apart in height; a shift of the root is found on level ground alone: take a part of the \

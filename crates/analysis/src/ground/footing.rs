@@ -8,8 +8,10 @@ use solaris_dynamics::Wrench;
 const APART: f64 = 0.05;
 /// Soles that stand tilted by less than this (rad) stand on a tread: as far off are guessed soles.
 const TILTED: f64 = 4.0 * std::f64::consts::PI / 180.0;
-/// A sole steeper than this (rad), or of which a point moves faster than this (m/s), stands on an edge: its lowest point alone is on the ground.
+/// A sole steeper than this (rad), whose toes are bent by more (rad), or of which a point moves faster than this (m/s), stands on an edge: its lowest point alone is
+/// on the ground.
 const STEEPEST: f64 = 30.0 * std::f64::consts::PI / 180.0;
+const BENT: f64 = 20.0 * std::f64::consts::PI / 180.0;
 const STILL: f64 = 0.25;
 /// The share of a stance's frames in which the sole is slowest: there it lies on the ground.
 const SLOWEST: f64 = 0.2;
@@ -86,8 +88,32 @@ impl Stances {
 
     /// What a foot stands on at a time (s) at which it stands: the level ground where no [`Stances::footings`] say otherwise.
     pub(super) fn under(&self, foot: usize, time: f64, up: &Vector3<f64>) -> Footing {
+        if self.footings.is_empty() {
+            return Footing::level(self.level, up);
+        }
         let stands = |stance: &Stance| stance.foot == foot && (stance.start..=stance.end).contains(&time);
         let own = self.list.iter().position(stands).and_then(|stance| self.footings.get(stance));
+        own.copied().unwrap_or_else(|| Footing::level(self.level, up))
+    }
+}
+
+impl Stances {
+    /// The stance of a foot in each frame, by its index in the list; of two that meet the first.
+    pub(super) fn by_frame(&self, foot: usize, time: &[f64]) -> Vec<Option<usize>> {
+        let mut found = vec![None; time.len()];
+        for (index, stance) in self.list.iter().enumerate().filter(|(_, stance)| stance.foot == foot) {
+            let from = time.partition_point(|time| *time < stance.start);
+            let to = time.partition_point(|time| *time <= stance.end);
+            for row in found.get_mut(from..to).unwrap_or_default() {
+                row.get_or_insert(index);
+            }
+        }
+        found
+    }
+
+    /// What the foot of a stance of the list, if it is one, stands on.
+    pub(super) fn of(&self, stance: Option<usize>, up: &Vector3<f64>) -> Footing {
+        let own = stance.and_then(|stance| self.footings.get(stance));
         own.copied().unwrap_or_else(|| Footing::level(self.level, up))
     }
 }
@@ -99,11 +125,12 @@ impl PlacedFeet<'_> {
         if stances.footings.is_empty() {
             return Ok(total);
         }
-        let up = &self.prepared().up;
+        let (up, time) = (&self.prepared().up, self.prepared().time());
+        let of_feet: Vec<_> = (0..self.soles().len()).map(|foot| stances.by_frame(foot, time)).collect();
         for (row, frame) in total.iter_mut().enumerate().filter(|(_, frame)| frame.cop.is_some()) {
-            let standing = (0..self.soles().len()).filter(|foot| stances.stands(*foot, frame.time));
-            let planes = standing.map(|foot| {
-                let plane = stances.under(foot, frame.time, up);
+            let standing = of_feet.iter().enumerate().filter(|(_, stances)| stances[row].is_some());
+            let planes = standing.map(|(foot, own)| {
+                let plane = stances.of(own[row], up);
                 let [heel, ball, _] = self.frame(row)[foot].points;
                 Footing { point: plane.below(heel.lerp(&ball, 0.5), up), ..plane }
             });
@@ -122,25 +149,35 @@ impl PlacedFeet<'_> {
     }
 
     /// What the foot of each stance stands on, as its sole lies while it moves least against ground of the velocity `belt` (m/s); nothing where all
-    /// stand on level ground.
+    /// stand on level ground. A plane has the sole's pitch, and is level aside.
     pub fn footings(&self, list: &[Stance], belt: &Vector3<f64>) -> Vec<Footing> {
-        let found: Option<Vec<Lying>> = list.iter().map(|stance| self.lies(stance, belt)).collect();
-        let found = found.unwrap_or_default();
+        let found: Vec<Option<Lying>> = list.iter().map(|stance| self.lies(stance, belt)).collect();
         // A heel that is up already is not the ground: lowest points are.
-        let lowest = || found.iter().map(|lying| lying.lowest);
+        let lowest = || found.iter().flatten().map(|lying| lying.lowest);
         let (low, high) =
             (lowest().fold(f64::INFINITY, f64::min), lowest().fold(f64::NEG_INFINITY, f64::max));
-        if high - low > APART { found.iter().map(|lying| lying.footing).collect() } else { Vec::new() }
+        if found.iter().flatten().next().is_none() || high - low <= APART {
+            return Vec::new();
+        }
+        // A stance that no frame shows is where the next one in time is.
+        let away = |a: &Stance, b: &Stance| (a.start - b.end).max(b.start - a.end);
+        let nearest = |stance: &Stance| {
+            let known = list.iter().zip(&found).filter_map(|(other, lying)| Some((other, lying.as_ref()?)));
+            let nearest = known.min_by(|a, b| away(stance, a.0).total_cmp(&away(stance, b.0)));
+            nearest.map(|(_, lying)| lying.footing)
+        };
+        let all = list.iter().zip(&found);
+        all.filter_map(|(stance, own)| own.as_ref().map(|own| own.footing).or_else(|| nearest(stance)))
+            .collect()
     }
 
-    /// How the foot of a stance lies while it moves least; `None` where no frame is of the stance, and of a sole without length.
+    /// How the foot of a stance lies while it moves least; `None` where no frame is of the stance.
     pub(super) fn lies(&self, stance: &Stance, belt: &Vector3<f64>) -> Option<Lying> {
         let (up, time) = (&self.prepared().up, self.prepared().time());
-        let mut rows: Vec<(f64, usize)> = time
-            .iter()
-            .enumerate()
-            .filter(|(_, time)| (stance.start..=stance.end).contains(time))
-            .map(|(row, _)| {
+        let from = time.partition_point(|time| *time < stance.start);
+        let to = time.partition_point(|time| *time <= stance.end);
+        let mut rows: Vec<(f64, usize)> = (from..to)
+            .map(|row| {
                 let fastest = |v: &Vector3<f64>| (v - belt).norm();
                 let speeds = self.frame(row)[stance.foot].velocities;
                 (speeds.iter().map(fastest).fold(0.0, f64::max), row)
@@ -156,10 +193,12 @@ impl PlacedFeet<'_> {
         let [heel, ball, tip] = sums;
         let along = tip - heel;
         let side = up.cross(&along);
-        let tilted = along.cross(&side).try_normalize(1e-9)?;
-        let tilt = tilted.angle(up);
-        let is_on_edge = tilt > STEEPEST || rows[slowest - 1].0 > STILL;
-        let normal = if tilt < TILTED || is_on_edge { *up } else { tilted };
+        // Of a sole that is one point nothing is tilted.
+        let tilted = along.cross(&side).try_normalize(1e-9);
+        let tilt = tilted.map_or(0.0, |tilted| tilted.angle(up));
+        let bent = (ball - heel).angle(&(tip - ball));
+        let is_on_edge = tilt > STEEPEST || bent > BENT || rows[slowest - 1].0 > STILL;
+        let normal = tilted.filter(|_| tilt >= TILTED && !is_on_edge).unwrap_or(*up);
         let lowest = [heel, ball, tip].into_iter().min_by(|a, b| a.dot(up).total_cmp(&b.dot(up)))?;
         let point = if is_on_edge { lowest } else { heel.lerp(&ball, 0.5) };
         let footing = Footing { point, normal };

@@ -112,11 +112,12 @@ pub fn judge(
     let reports = soles.iter().enumerate().map(|(foot, sole)| {
         let standing: Vec<usize> =
             (0..rows).filter(|row| stances.stands(foot, prepared.time()[*row])).collect();
+        let by_frame = stances.by_frame(foot, prepared.time());
         let normal = |row: usize| contacts[foot][row].force.dot(&prepared.up);
         let loaded = |row: &usize| normal(*row) > FootReport::LOADED * prepared.weight;
         let friction = |row: usize| {
             let force = contacts[foot][row].force;
-            let ground = stances.under(foot, prepared.time()[row], &prepared.up).normal;
+            let ground = stances.of(by_frame[row], &prepared.up).normal;
             let pressed = force.dot(&ground);
             (force - ground * pressed).norm() / pressed
         };

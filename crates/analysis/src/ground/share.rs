@@ -15,8 +15,8 @@ use solaris_model::Contact;
 /// sum and nothing else. A foot that stands alone has all of it.
 ///
 /// All of them know a *nominal centre of pressure* and a *share* of each foot that stands. The nominal centre goes from
-/// the heel to where the foot presses when it first stands alone, and from where it last does to the tip, as `3x² −
-/// 2x³` of the time; half-way from the heel to the ball stands in for what a motion does not show. Where a foot that stands alone presses beside
+/// the heel (the ball, where that lands lower) to where the foot presses when it first stands alone, and from where it last does to the tip (the heel, where that leaves
+/// last), as `3x² − 2x³` of the time; half-way from the heel to the ball stands in for what a motion does not show. Where a foot that stands alone presses beside
 /// its sole it goes on to do so for 0.15 s, ever less. The shares of two
 /// feet are those with which their nominal centres make the whole centre of pressure, as near as may be: where that
 /// lies between the feet says who bears how much, and it leads from 0 to 1 by itself. The shares of more than two, or

@@ -129,6 +129,12 @@ impl Stances {
             return Err(super::total::bad_level(self.level));
         }
         StanceOptions { belt: Belt::Speed(self.belt), ..StanceOptions::default() }.check()?;
+        let is_plane = |footing: &Footing| {
+            footing.point.iter().all(|x| x.is_finite()) && (footing.normal.norm() - 1.0).abs() < 1e-6
+        };
+        if let Some(stance) = self.footings.iter().position(|footing| !is_plane(footing)) {
+            return Err(GroundError::NoPlane { stance });
+        }
         let (found, expected) = (self.footings.len(), self.list.len());
         if found != 0 && found != expected {
             return Err(GroundError::Length { what: "what feet stand on", found, expected });
@@ -149,8 +155,8 @@ impl Stances {
 ///
 /// A point of a sole is down while it is less than a height above its own lowest one (the lowest but a twentieth of
 /// the frames, since it is seldom known how high above the ground a point really is), and slower than a speed against
-/// the ground ([`StanceOptions`]). A foot stands while one of its points is down; a foot that never comes within 5 cm of the lowest one
-/// never stands. Where no speed is asked for it is, with `v` the greatest speed of the foot's points in the swing beside the edge,
+/// the ground ([`StanceOptions`]). A foot stands while one of its points is down; a foot that never comes within 5 cm of the lowest one, nor stands
+/// alone, never stands. Where no speed is asked for it is, with `v` the greatest speed of the foot's points in the swing beside the edge,
 ///
 /// ```text
 /// touch-down: 0.13 v      lift-off: 0.24 v      at least 0.2 m/s
@@ -165,7 +171,8 @@ impl Stances {
 /// those that are slow, on whatever is under them. A motion in which nothing is ever borne has no such say.
 ///
 /// `level` is the median of the lowest heights of the points of all feet that may stand. Where feet stand more than 5 cm apart in height the ground is not level:
-/// each stands on the plane in which its sole lies while it moves least ([`Stances::footings`]), level where that is tilted by less than 4°.
+/// each stands on the plane in which its sole lies while it moves least ([`Stances::footings`]), level aside, and level where that is tilted by less than 4°; such ground stands
+/// still unless [`Belt::Speed`] says otherwise.
 ///
 /// # Source
 ///
@@ -184,7 +191,7 @@ pub fn find_stances(feet: &PlacedFeet<'_>, options: &StanceOptions) -> Result<St
     let tracks = Tracks::of(feet);
     let normal = total.iter().map(|frame| frame.force.dot(&prepared.up) / prepared.weight).collect();
     let support = Support::new(prepared.time(), normal);
-    let belt = match options.belt {
+    let mut belt = match options.belt {
         Belt::Still => Vector3::zeros(),
         Belt::Speed(velocity) => velocity,
         Belt::Auto => {
@@ -205,8 +212,16 @@ pub fn find_stances(feet: &PlacedFeet<'_>, options: &StanceOptions) -> Result<St
         all.flat_map(of_foot).collect()
     };
     let all = 0..feet.soles().len();
-    let mut list = find(all.clone().map(|foot| tracks.foot(foot, &belt)).collect());
-    let mut footings = feet.footings(&list, &belt);
+    let level = |belt: &Vector3<f64>| {
+        let list = find(all.clone().map(|foot| tracks.foot(foot, belt)).collect());
+        (feet.footings(&list, belt), list)
+    };
+    let (mut footings, mut list) = level(&belt);
+    if !footings.is_empty() && options.belt == Belt::Auto && belt != Vector3::zeros() {
+        // Stairs and slopes do not move; their lowest points said so little of it.
+        belt = Vector3::zeros();
+        (footings, list) = level(&belt);
+    }
     if !footings.is_empty() {
         // Where the ground is not level heights are told from what each foot stands on, once that is known.
         list = find(all.map(|foot| tracks.foot_on(foot, &belt, &list)).collect());

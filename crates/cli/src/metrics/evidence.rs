@@ -57,6 +57,7 @@ impl<'a> Evidence<'a> {
             (Some(own), None | Some(StancesFrom::Contacts)) => {
                 let (figure, gravity) = (&given.body.figure, given.body.gravity);
                 stances = stances_of_contacts(figure, gravity, given.motion().time(), own, &stances);
+                stances.footings = placed.footings(&stances.list, &stances.belt);
             }
             _ => {}
         }

@@ -12,7 +12,7 @@ pub const STAIRS: ((f64, f64), (f64, f64)) = ((0.10, 0.20), (0.25, 0.35));
 /// The rise that was fitted to (m), and thigh and shank of who walked there (m).
 const FITTED_RISE: f64 = 0.17;
 const FITTED_LEG: f64 = 0.86;
-/// For a leg that is so much shorter than that one, in parts of it: how much the leg on the higher tread is shortened, in parts of the rise (up, down), and on the
+/// For a leg that is so much shorter than that one, in parts of it: how much the leg on the higher tread is shortened, in parts of that rise (up, down), and on the
 /// way up how much less the knee of the other one is bent at toe-off (rad), and how much slower it bends then (rad by u).
 const SHORT_LEG: (f64, f64) = (1.5, 1.35);
 const SHORT_TOE_OFF: (f64, f64) = (60.0 * DEGREE, 500.0 * DEGREE);

@@ -63,7 +63,9 @@ impl Skeleton {
     /// The figure in a world that is turned by `world`.
     pub(super) fn of(figure: &Figure, world: UnitQuaternion<f64>) -> Self {
         let mut nodes: Vec<Node> = Vec::new();
-        let mut taken = BTreeSet::new();
+        // Names that are one word stay; the others make way.
+        let words = figure.links().iter().map(|link| link.name().to_owned());
+        let mut taken: BTreeSet<String> = words.filter(|name| word(name) == *name).collect();
         for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
             let placement = *link.joint().placement();
             let placement = if i == 0 { world * placement } else { placement };
@@ -137,9 +139,17 @@ fn end(link: &Link) -> Vector3<f64> {
     link.tip().copied().unwrap_or_else(stub)
 }
 
+/// A name as one word.
+fn word(name: &str) -> String {
+    name.replace(|c: char| c.is_whitespace() || c.is_control() || matches!(c, '{' | '}'), "_")
+}
+
 /// A name of one word that no other bone has: `a_b`, `a_b_2`.
 fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
-    let made = name.replace(|c: char| c.is_whitespace() || c.is_control() || matches!(c, '{' | '}'), "_");
+    let made = word(name);
+    if made == name {
+        return made;
+    }
     let numbered = (2..).map(|number| format!("{made}_{number}"));
     let mut all = std::iter::once(made.clone()).chain(numbered);
     // They do not end.

@@ -19,7 +19,7 @@ const LONGEST_DOUBLE: f64 = 0.5;
 /// How long (s) a foot that stood alone and pressed beside its sole goes on to do so.
 const FADES: f64 = 0.15;
 
-/// A foot whose ball is lower than its heel by more than this (m) lands on its ball.
+/// A foot whose ball is lower than its heel by more than this (m) lands on its ball, and one whose heel is lower than its ball leaves from its heel.
 const ON_BALL: f64 = 0.01;
 
 /// Less than this share is none.
@@ -33,8 +33,10 @@ pub(super) struct Sharing<'a> {
     pub(super) stances: &'a Stances,
     pub(super) total: &'a [BalanceFrame],
     loads: Vec<Load>,
-    /// By load, whether the foot lands on its ball.
-    on_ball: Vec<bool>,
+    /// By foot and frame, the stance.
+    by_frame: Vec<Vec<Option<usize>>>,
+    /// By load, the ends of the sole that land first and leave last.
+    ends: Vec<[usize; 2]>,
     /// By foot, the topmost link of its leg: the first that no other foot hangs on.
     pub(super) hips: Vec<usize>,
     doubles: Vec<Double>,
@@ -58,9 +60,22 @@ impl<'a> Sharing<'a> {
         let loads = Load::all(&stances.list);
         let doubles = doubles(&stances.list, prepared.time());
         let hips = hips(prepared.figure, soles);
-        let on_ball = stances.list.iter().map(|stance| lands_on_ball(feet, stance, &stances.belt)).collect();
-        let mut out =
-            Self { feet, prepared, soles, stances, total, loads, on_ball, hips, doubles, alone: Vec::new() };
+        let ends = stances.list.iter().map(|stance| first_and_last(feet, stance, &stances.belt)).collect();
+        let time = prepared.time();
+        let by_frame = (0..soles.len()).map(|foot| stances.by_frame(foot, time)).collect();
+        let mut out = Self {
+            feet,
+            prepared,
+            soles,
+            stances,
+            total,
+            loads,
+            by_frame,
+            ends,
+            hips,
+            doubles,
+            alone: Vec::new(),
+        };
         out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
         out
     }
@@ -93,7 +108,7 @@ impl<'a> Sharing<'a> {
         for (index, load) in self.loads.iter().enumerate() {
             let foot = load.stance.foot;
             if (load.stance.start..=load.stance.end).contains(&t) && !standing.contains(&foot) {
-                let normal = self.is_uneven().then(|| self.under(foot, t).normal);
+                let normal = self.is_uneven().then(|| self.ground(foot, row).normal);
                 feet[foot] = FootSupport { share: load.weight(t), cop: self.nominal(index, row), normal };
                 standing.push(foot);
             }
@@ -111,13 +126,14 @@ impl<'a> Sharing<'a> {
     }
 
     /// Where a foot is expected to press: from the heel or the ball, whichever lands, where it comes while others stand, to where it first stands
-    /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
+    /// alone; from there to where it stands alone again; from where it last does to the tip or the heel, whichever leaves, where it leaves while
     /// others stay. In place of what is not there stands the point half-way from heel to ball.
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
         let (load, time) = (&self.loads[index], self.prepared.time());
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);
-        let [heel, ball, tip] = self.on_ground(foot, row);
-        let middle = heel.lerp(&ball, 0.5);
+        let sole = self.on_ground(foot, row);
+        let middle = sole[0].lerp(&sole[1], 0.5);
+        let [lands, lifts] = self.ends[index].map(|point| sole[point]);
         // When it stands alone next to this frame, the point of its sole that is pressed then, and how far beside it the pressure is.
         let pressed = self.alone[foot][row].map(|row| {
             let time = time[row?];
@@ -127,12 +143,8 @@ impl<'a> Sharing<'a> {
         });
         let plain =
             |pressed: Option<(f64, Vector3<f64>, Vector3<f64>)>| pressed.map(|(time, at, _)| (time, at));
-        let first = match (load.comes(), self.on_ball[index]) {
-            (true, true) => ball,
-            (true, false) => heel,
-            (false, _) => middle,
-        };
-        let last = if load.leaves() { tip } else { middle };
+        let first = if load.comes() { lands } else { middle };
+        let last = if load.leaves() { lifts } else { middle };
         let [(from, a), (to, b)] = match pressed.map(plain) {
             [Some(before), Some(after)] => [before, after],
             [Some(before), None] => [before, (end, last)],
@@ -170,9 +182,14 @@ impl<'a> Sharing<'a> {
         self.stances.under(foot, t, &self.prepared.up)
     }
 
+    /// The same in a frame.
+    fn ground(&self, foot: usize, row: usize) -> Footing {
+        self.stances.of(self.by_frame[foot][row], &self.prepared.up)
+    }
+
     /// Heel, ball and tip of a foot in a frame, on the ground below them.
     pub(super) fn on_ground(&self, foot: usize, row: usize) -> [Vector3<f64>; 3] {
-        let (up, ground) = (&self.prepared.up, self.under(foot, self.prepared.time()[row]));
+        let (up, ground) = (&self.prepared.up, self.ground(foot, row));
         self.feet.frame(row)[foot].points.map(|point| ground.below(point, up))
     }
 
@@ -208,7 +225,7 @@ impl<'a> Sharing<'a> {
 
     /// The wrench on a foot with its centre of pressure; zero where there is none.
     pub(super) fn contact(&self, foot: usize, row: usize, part: &Wrench<f64>) -> Contact {
-        let cop = self.under(foot, self.prepared.time()[row]).center_of_pressure(part);
+        let cop = self.ground(foot, row).center_of_pressure(part);
         let cop = if cop.iter().all(|x| x.is_finite()) { cop } else { Vector3::zeros() };
         Contact { force: part.force, moment: part.moment, cop }
     }
@@ -235,13 +252,19 @@ impl<'a> Sharing<'a> {
     }
 }
 
-/// Whether a foot comes down with its ball lower than its heel, both against how they lie when it stands.
-fn lands_on_ball(feet: &PlacedFeet<'_>, stance: &Stance, belt: &Vector3<f64>) -> bool {
+/// Which of heel, ball and tip a foot lands on and leaves from: heel and tip, unless the ball is lower then than the heel, or the heel lower than the ball, against how they
+/// lie when it stands.
+fn first_and_last(feet: &PlacedFeet<'_>, stance: &Stance, belt: &Vector3<f64>) -> [usize; 2] {
     let (up, time) = (&feet.prepared().up, feet.prepared().time());
-    let row = time.partition_point(|time| *time < stance.start);
-    let Some(lying) = feet.lies(stance, belt).filter(|_| row < time.len()) else { return false };
-    let [heel, ball, _] = lying.raised(&feet.frame(row)[stance.foot].points, up);
-    heel - ball > ON_BALL
+    let (from, to) =
+        (time.partition_point(|time| *time < stance.start), time.partition_point(|time| *time <= stance.end));
+    let Some(lying) = feet.lies(stance, belt) else { return [0, 2] };
+    // How much higher the heel is than the ball in the first and in the last frame of it, of which there is one at least.
+    let [first, last] = [from, to - 1].map(|row| {
+        let [heel, ball, _] = lying.raised(&feet.frame(row)[stance.foot].points, up);
+        heel - ball
+    });
+    [usize::from(first > ON_BALL), if last < -ON_BALL { 0 } else { 2 }]
 }
 
 /// Shares of two feet as the centre of pressure of both tells them:

@@ -82,10 +82,14 @@ impl<'a> Tracks<'a> {
         let own = list.iter().filter(|stance| stance.foot == foot);
         let own: Vec<_> = own.filter_map(|stance| Some((stance, self.placed.lies(stance, belt)?))).collect();
         let mut track = self.foot(foot, belt);
+        // However high it stands.
+        track.stands = !own.is_empty();
         for (row, above) in track.above.iter_mut().enumerate() {
             let time = self.placed.prepared().time()[row];
             let away = |stance: &Stance| (stance.start - time).max(time - stance.end).max(0.0);
-            let nearest = own.iter().min_by(|a, b| away(a.0).total_cmp(&away(b.0)));
+            let next = own.partition_point(|(stance, _)| stance.start <= time);
+            let near = own[next.saturating_sub(1)..(next + 1).min(own.len())].iter();
+            let nearest = near.min_by(|a, b| away(a.0).total_cmp(&away(b.0)));
             if let Some((_, lying)) = nearest {
                 // Below the tread that it comes to it is not on it either.
                 *above = lying.raised(&self.placed.frame(row)[foot].points, up).map(f64::abs);
