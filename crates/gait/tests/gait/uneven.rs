@@ -149,7 +149,7 @@ fn a_heel_that_is_up_is_no_ground() {
         };
         let (mut low, mut high) = (0.0, 1.5);
         for _ in 0..60 {
-            let bent: f64 = (low + high) / 2.0;
+            let bent = f64::midpoint(low, high);
             (q[dof("left_hip.rx")], q[dof("left_knee.rx")], q[dof("left_ankle.rx")]) =
                 (-bent, 2.0 * bent, pitch - bent);
             if lowest(&q, "left") < lowest(&q, "right") { low = bent } else { high = bent }
