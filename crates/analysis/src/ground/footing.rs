@@ -88,16 +88,10 @@ impl Stances {
 
     /// What a foot stands on at a time (s) at which it stands: the level ground where no [`Stances::footings`] say otherwise.
     pub(super) fn under(&self, foot: usize, time: f64, up: &Vector3<f64>) -> Footing {
-        if self.footings.is_empty() {
-            return Footing::level(self.level, up);
-        }
         let stands = |stance: &Stance| stance.foot == foot && (stance.start..=stance.end).contains(&time);
-        let own = self.list.iter().position(stands).and_then(|stance| self.footings.get(stance));
-        own.copied().unwrap_or_else(|| Footing::level(self.level, up))
+        self.of(self.list.iter().position(stands), up)
     }
-}
 
-impl Stances {
     /// The stance of a foot in each frame, by its index in the list; of two that meet the first.
     pub(super) fn by_frame(&self, foot: usize, time: &[f64]) -> Vec<Option<usize>> {
         let mut found = vec![None; time.len()];
