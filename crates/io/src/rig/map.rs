@@ -88,7 +88,7 @@ impl RigMap {
     /// use solaris_io::rig::{Rig, RigMap, Rigged};
     /// let ann = solaris_model::human(1.65, 58.0)?;
     /// let on = Rigged::new(&ann, RigMap::from(Rig::Mixamo).with_own_axes())?;
-    /// let arm = on.figure.link("mixamorig:LeftForeArm").unwrap();
+    /// let arm = on.figure.link("mixamorig:LeftForeArm").ok_or("no forearm")?;
     /// assert!((arm.joint().placement().translation.y - 0.267).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

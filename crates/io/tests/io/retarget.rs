@@ -54,15 +54,10 @@ fn a_skeleton_that_agrees_turns_as_the_source_does() {
     let ann = human(1.65, 58.0).expect("a person");
     let motion = walked(&ann);
     let take = take(&ann, &motion);
-    for (rig, has_own_axes) in [
-        (None, false),
-        (Some(Rig::Mixamo), false),
-        (Some(Rig::Mixamo), true),
-        (Some(Rig::Unreal), false),
-        (Some(Rig::Unreal), true),
-        (Some(Rig::Vrm), false),
-    ] {
-        let map = rig.map(|rig| if has_own_axes { RigMap::from(rig).with_own_axes() } else { rig.into() });
+    let plain = [Rig::Mixamo, Rig::Unreal, Rig::Vrm].map(RigMap::from);
+    let own = [Rig::Mixamo, Rig::Unreal].map(|rig| RigMap::from(rig).with_own_axes());
+    for map in plain.into_iter().chain(own).map(Some).chain([None]) {
+        let rig = map.as_ref().and_then(RigMap::rig);
         let on = map.map(|map| Rigged::new(&ann, map).expect("a rig"));
         let moved = on.as_ref().map(|on| on.motion(&ann, &motion).expect("a motion"));
         let (figure, own) =
