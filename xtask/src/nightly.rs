@@ -3,7 +3,7 @@
 
 use crate::fuzz;
 use crate::workspace::{self, cargo};
-use std::time::Instant;
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 /// The steps: their names, the arguments of `cargo`.
 const STEPS: [(&str, &[&str]); 3] = [
@@ -62,6 +62,9 @@ fn addresses() -> Result<(), String> {
 /// Runs all steps, whatever becomes of each; an error names those that failed.
 pub(crate) fn run() -> Result<(), String> {
     let mut failed = Vec::new();
+    // Every other run of the property tests draws the cases of the seed in `.cargo/config.toml`.
+    let seed = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()).to_string();
+    println!("property tests draw their cases with PROPTEST_RNG_SEED={seed}");
     let mut step = |name: &str, step: &dyn Fn() -> Result<(), String>| {
         let begun = Instant::now();
         if let Err(error) = step() {
@@ -71,7 +74,7 @@ pub(crate) fn run() -> Result<(), String> {
     };
     for (name, arguments) in STEPS {
         println!("{name}: cargo {}", arguments.join(" "));
-        step(name, &|| workspace::run(cargo().args(arguments)));
+        step(name, &|| workspace::run(cargo().args(arguments).env("PROPTEST_RNG_SEED", &seed)));
     }
     step("the C interface, every address watched", &addresses);
     step("fuzzing", &|| fuzz::run(&fuzz::Options::default()));

@@ -6,6 +6,7 @@
 //! tau_k = Σ tr(∂W/∂q_k · J · Ẅᵀ) − gᵀ·∂W/∂q_k·∫(r 1) dm − power of the wrenches in the motion ∂W/∂q_k
 //! ```
 
+use super::largest;
 use nalgebra::{DMatrix, Matrix3, Matrix4, Vector3};
 use solaris_dynamics::Wrench;
 use solaris_model::{AxisKind, Dof, Figure, Link};
@@ -68,6 +69,27 @@ impl Oracle {
                 body_terms - wrenches
             })
             .collect()
+    }
+
+    /// The greatest difference of `found` from [`inverse_dynamics`](Self::inverse_dynamics), relative to the largest sum of
+    /// products of magnitudes that these forces go through: what is left when they cancel is as uncertain as they are.
+    pub(crate) fn error_of(&self, found: &[f64], external: &[(usize, Wrench<f64>)]) -> f64 {
+        let terms = (0..found.len()).map(|k| {
+            let of_body = |body: &Body| {
+                let inertial = body.by[k].norm() * body.pseudo_inertia.norm() * body.acceleration.norm();
+                inertial + (body.by[k] * body.pseudo_inertia.column(3)).norm() * self.gravity.norm()
+            };
+            let body_terms: f64 = self.bodies.iter().map(of_body).sum();
+            let wrenches: f64 =
+                external.iter().map(|(link, wrench)| self.wrench_work(*link, wrench, k).abs()).sum();
+            body_terms + wrenches
+        });
+        let (scale, expected) = (terms.fold(0.0, f64::max), self.inverse_dynamics(external));
+        assert_eq!(found.len(), expected.len(), "lengths");
+        let differences: Vec<f64> =
+            found.iter().zip(expected).map(|(found, expected)| found - expected).collect();
+        assert!(differences.iter().all(|difference| difference.is_finite()), "not finite: {found:?}");
+        largest(&differences) / scale.max(f64::MIN_POSITIVE)
     }
 
     fn virtual_work(&self, body: &Body, k: usize) -> f64 {
