@@ -1,7 +1,7 @@
 //! What is known of a given motion: derivatives, joint forces, the ground's forces; positions from markers.
 
-use crate::arrays::{contiguous, shape, shaped};
-use crate::errors::{self, plain, value};
+use crate::arrays::{contiguous, count, shape, shaped};
+use crate::errors::{self, argument, plain, value};
 use crate::figure::Figure;
 use crate::motion::Motion;
 use crate::report::dictionary;
@@ -42,20 +42,25 @@ pub(crate) fn differentiate(
     py: Python<'_>,
     motion: &Motion,
     filter: Option<f64>,
-    order: usize,
+    order: i64,
 ) -> PyResult<Motion> {
-    let filter = filter.map(|cutoff| Filter { cutoff, order });
+    let filter = low_pass(filter, order)?;
     let found = py.detach(|| derive(motion.figure.figure(), &motion.motion, filter));
     let found = found.map_err(|error| plain("MotionError")(&error))?;
     Ok(Motion::new(&motion.figure, found.motion, motion.title.clone()))
 }
 
+fn low_pass(filter: Option<f64>, order: i64) -> PyResult<Option<Filter>> {
+    let order = count("order", order)?;
+    Ok(filter.map(|cutoff| Filter { cutoff, order }))
+}
+
 /// A motion of which everything is known: itself, or differentiated.
-pub(crate) fn complete(motion: &Motion, filter: Option<f64>, order: usize) -> PyResult<Motion> {
+pub(crate) fn complete(motion: &Motion, filter: Option<f64>, order: i64) -> PyResult<Motion> {
     if motion.motion.known().is_all() {
         return Ok(motion.clone());
     }
-    let filter = filter.map(|cutoff| Filter { cutoff, order });
+    let filter = low_pass(filter, order)?;
     let found = derive(motion.figure.figure(), &motion.motion, filter)
         .map_err(|error| plain("MotionError")(&error))?;
     Ok(Motion::new(&motion.figure, found.motion, motion.title.clone()))
@@ -88,11 +93,11 @@ pub(crate) fn ground_forces(
     split: &str,
     soles: Option<PathBuf>,
     filter: Option<f64>,
-    order: usize,
+    order: i64,
 ) -> PyResult<Ground> {
     let split = Split::named(split).ok_or_else(|| {
         let known: Vec<String> = Split::ALL.iter().map(|known| format!("'{}'", known.name())).collect();
-        value(format!("split is '{split}'; it must be one of {}", known.join(", ")))
+        argument("split", format!("split is '{split}'; it must be one of {}", known.join(", ")))
     })?;
     py.detach(|| {
         let motion = complete(motion, filter, order)?;
@@ -224,7 +229,7 @@ pub(crate) fn inverse_dynamics(
     contacts: bool,
     passive: bool,
     filter: Option<f64>,
-    order: usize,
+    order: i64,
 ) -> PyResult<Inverse> {
     let given = [ground.is_some(), external.is_some(), external_loads.is_some(), wrenches.is_some()];
     if given.iter().filter(|given| **given).count() > 1 {
@@ -350,7 +355,7 @@ fn wrenches_of(motion: &Motion, given: &Bound<'_, PyDict>) -> PyResult<Vec<Measu
         let array = contiguous(&name, &numbers)?;
         if *array.shape() != [rows, 6] {
             let found = shape(array.shape());
-            return Err(value(format!("{name} has the shape {found}; it must be ({rows}, 6)")));
+            return Err(argument(&name, format!("{name} has the shape {found}; it must be ({rows}, 6)")));
         }
         let wrench = |six: &[f64]| {
             let [force, moment] = [0, 3].map(|at| Vector3::new(six[at], six[at + 1], six[at + 2]));
@@ -433,7 +438,7 @@ pub(crate) fn length_unit(name: Option<&str>) -> PyResult<Option<LengthUnit>> {
         Some("mm") => Ok(Some(LengthUnit::Millimetres)),
         Some("cm") => Ok(Some(LengthUnit::Centimetres)),
         Some("m") => Ok(Some(LengthUnit::Metres)),
-        Some(other) => Err(value(format!("unit is '{other}'; it must be 'mm', 'cm' or 'm'"))),
+        Some(other) => Err(argument("unit", format!("unit is '{other}'; it must be 'mm', 'cm' or 'm'"))),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Arrays in and out: `float64` in C order as they are, everything else copied by numpy.
 
-use crate::errors::value;
+use crate::errors::argument;
 use numpy::{
     Element, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
 };
@@ -22,10 +22,13 @@ impl<'py> States<'py> {
             [n] if n == width => None,
             [rows, n] if n == width => Some(rows),
             ref found => {
-                return Err(value(format!(
-                    "{name} has the shape {}; it must be ({width},), or (states, {width})",
-                    shape(found)
-                )));
+                return Err(argument(
+                    name,
+                    format!(
+                        "{name} has the shape {}; it must be ({width},), or (states, {width})",
+                        shape(found)
+                    ),
+                ));
             }
         };
         Ok(Self { array, rows })
@@ -45,11 +48,10 @@ impl<'py> States<'py> {
         let told = |rows: Option<usize>| {
             rows.map_or("one state, a vector".to_owned(), |n| format!("{n} states, a row each"))
         };
-        Err(value(format!(
-            "{name} holds {}, q holds {}; give all of them alike",
-            told(self.rows),
-            told(rows)
-        )))
+        Err(argument(
+            name,
+            format!("{name} holds {}, q holds {}; give all of them alike", told(self.rows), told(rows)),
+        ))
     }
 }
 
@@ -59,7 +61,7 @@ pub(crate) fn contiguous<'py>(
     given: &Bound<'py, PyAny>,
 ) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     let borrow = |array: &Bound<'py, PyArrayDyn<f64>>| {
-        array.try_readonly().map_err(|_| value(format!("{name} is being written to")))
+        array.try_readonly().map_err(|_| argument(name, format!("{name} is being written to")))
     };
     if let Ok(array) = given.cast::<PyArrayDyn<f64>>()
         && array.is_c_contiguous()
@@ -81,8 +83,15 @@ pub(crate) fn contiguous<'py>(
 pub(crate) fn fixed<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
     let array = contiguous(name, given)?;
     let numbers = array.as_slice().unwrap_or_default();
-    <[f64; N]>::try_from(numbers)
-        .map_err(|_| value(format!("{name} has the shape {}; it must be ({N},)", shape(array.shape()))))
+    <[f64; N]>::try_from(numbers).map_err(|_| {
+        argument(name, format!("{name} has the shape {}; it must be ({N},)", shape(array.shape())))
+    })
+}
+
+/// How many there are of something.
+pub(crate) fn count(name: &str, given: i64) -> PyResult<usize> {
+    usize::try_from(given)
+        .map_err(|_| argument(name, format!("{name} is {given}; it must be a whole number, 0 or more")))
 }
 
 /// A shape as Python writes it.

@@ -39,7 +39,10 @@ pub(crate) fn stream<'py>(
     motion: &Motion,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     let schema = Arc::new(typed(headings));
-    let arrays = columns(motion).into_iter().map(|column| Arc::new(Float64Array::from(column)) as ArrayRef);
+    let arrays = py
+        .detach(|| columns(motion))
+        .into_iter()
+        .map(|column| Arc::new(Float64Array::from(column)) as ArrayRef);
     let batch = RecordBatch::try_new(Arc::clone(&schema), arrays.collect()).map_err(value)?;
     let reader = RecordBatchIterator::new([Ok(batch)], schema);
     let stream = FFI_ArrowArrayStream::new(Box::new(reader));

@@ -1,7 +1,7 @@
 //! The kernel: dynamics, matrices and derivatives of one state, or of many at once.
 
-use crate::arrays::{States, contiguous, fixed, matrix, shape, shaped};
-use crate::errors::{self, value};
+use crate::arrays::{States, contiguous, count, fixed, matrix, shape, shaped};
+use crate::errors::{self, argument, value};
 use crate::figure::Figure;
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -128,15 +128,20 @@ impl Dynamics {
             solved.map_err(errors::batch)
         };
         if let Some(out) = out {
-            let array =
-                out.cast::<PyArrayDyn<f64>>().map_err(|_| value("out must be an array of float64"))?;
+            let array = out
+                .cast::<PyArrayDyn<f64>>()
+                .map_err(|_| argument("out", "out must be an array of float64"))?;
             let expected = rows.map_or_else(|| vec![nv], |rows| vec![rows, nv]);
             if *array.shape() != *expected || !array.is_c_contiguous() {
                 let (found, expected) = (shape(array.shape()), shape(&expected));
-                return Err(value(format!("out has the shape {found}; it must be {expected}, in C order")));
+                return Err(argument(
+                    "out",
+                    format!("out has the shape {found}; it must be {expected}, in C order"),
+                ));
             }
-            let mut writing =
-                array.try_readwrite().map_err(|_| value("out overlaps an argument, or cannot be written"))?;
+            let mut writing = array
+                .try_readwrite()
+                .map_err(|_| argument("out", "out overlaps an argument, or cannot be written"))?;
             run(writing.as_slice_mut().map_err(value)?)?;
             return Ok(out.clone());
         }
@@ -230,7 +235,7 @@ fn axes(name: &str) -> PyResult<JacobianAxes> {
     match name {
         "world" => Ok(JacobianAxes::World),
         "frame" => Ok(JacobianAxes::Frame),
-        other => Err(value(format!("axes is '{other}'; it must be 'world' or 'frame'"))),
+        other => Err(argument("axes", format!("axes is '{other}'; it must be 'world' or 'frame'"))),
     }
 }
 
@@ -256,7 +261,8 @@ fn homogeneous(pose: &kernel::Pose<f64>) -> [f64; 16] {
 impl Dynamics {
     #[new]
     #[pyo3(signature = (figure, gravity=None, *, threads=1))]
-    fn new(figure: &Figure, gravity: Option<&Bound<'_, PyAny>>, threads: usize) -> PyResult<Self> {
+    fn new(figure: &Figure, gravity: Option<&Bound<'_, PyAny>>, threads: i64) -> PyResult<Self> {
+        let threads = count("threads", threads)?;
         let gravity = match gravity {
             Some(given) => fixed::<3>("gravity", given)?.into(),
             None => figure.body.gravity,

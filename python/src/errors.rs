@@ -6,7 +6,9 @@ use solaris::dynamics::DynamicsError;
 use solaris::dynamics::batch::BatchError;
 use solaris::files::FileError;
 use solaris::gait::{GaitError, RequestError};
-use solaris::model::{TextError, TextFault};
+use solaris::model::{FigureError, HumanError, MotionError, TextError, TextFault};
+use solaris::modes::RunError;
+use solaris::scene::SceneError;
 use std::fmt::Display;
 
 /// An exception of `solaris.errors`, with these fields.
@@ -23,9 +25,29 @@ pub(crate) fn plain(class: &'static str) -> impl Fn(&dyn Display) -> PyErr {
     move |error| Python::attach(|py| exception(py, class, &error.to_string(), &PyDict::new(py)))
 }
 
-/// What is wrong with an argument, as Python's own functions say it.
+/// An exception of this class with the fields that `fill` sets.
+fn with(
+    class: &str,
+    error: &dyn Display,
+    fill: impl FnOnce(Python<'_>, &Bound<'_, PyDict>) -> PyResult<()>,
+) -> PyErr {
+    Python::attach(|py| {
+        let fields = PyDict::new(py);
+        match fill(py, &fields) {
+            Ok(()) => exception(py, class, &error.to_string(), &fields),
+            Err(error) => error,
+        }
+    })
+}
+
+/// What is wrong with an argument of this name.
+pub(crate) fn argument(name: &str, message: impl Display) -> PyErr {
+    with("ArgumentError", &message, |_, fields| fields.set_item("argument", name))
+}
+
+/// What is wrong with several arguments, or with none in particular.
 pub(crate) fn value(message: impl Display) -> PyErr {
-    pyo3::exceptions::PyValueError::new_err(message.to_string())
+    plain("ArgumentError")(&message)
 }
 
 /// A text with faults: `FigureError`, `SceneError` or another class with a list of them.
@@ -77,18 +99,43 @@ pub(crate) fn file(class: &'static str) -> impl Fn(FileError) -> PyErr {
 
 /// A file at fault.
 pub(crate) fn of_path(path: &std::path::Path, message: &str) -> PyErr {
-    Python::attach(|py| {
-        let fields = PyDict::new(py);
-        match fields.set_item("path", path.display().to_string()) {
-            Ok(()) => exception(py, "FileError", message, &fields),
-            Err(error) => error,
-        }
+    with("FileError", &message, |_, fields| fields.set_item("path", path.display().to_string()))
+}
+
+/// A figure that cannot be; its faults have no place, for they are of no text.
+pub(crate) fn figure(error: FigureError) -> PyErr {
+    with("FigureError", &error, |py, fields| {
+        let fault = py.import("solaris.errors")?.getattr("Fault")?;
+        let faults = error.faults.iter().map(|found| fault.call1(("", 0, 0, found.to_string())));
+        fields.set_item("faults", faults.collect::<PyResult<Vec<_>>>()?)
     })
 }
 
-/// The kernel's refusal.
+/// A person who cannot be.
+pub(crate) fn human(error: HumanError) -> PyErr {
+    let range = error.range().map(|(parameter, numbers, unit)| (parameter.to_owned(), numbers, unit));
+    with("FigureError", &error, |_, fields| set_range(fields, range))
+}
+
+/// The kernel's refusal: the argument, and the name of the degree of freedom, link or frame.
 pub(crate) fn dynamics(error: DynamicsError) -> PyErr {
-    plain("DynamicsError")(&error)
+    use DynamicsError as E;
+    let (argument, name) = match &error {
+        E::NotFinite { what, dof, .. } => (Some(*what), Some(dof)),
+        E::Length { what, .. } => (Some(*what), None),
+        E::Quaternion { name, .. } => (Some("q"), Some(name)),
+        E::UnknownFrame { name, .. } => (Some("frame"), Some(name)),
+        E::FrameNotFinite { link, .. } => (Some("frame"), Some(link)),
+        E::WrenchNotFinite { link, .. } => (Some("external"), Some(link)),
+        E::NoInertia { dof, .. } | E::Follower { dof, .. } => (None, Some(dof)),
+        E::Joint { joint } => (None, Some(joint)),
+        E::Root { link } => (None, Some(link)),
+        _ => (None, None),
+    };
+    with("DynamicsError", &error, |_, fields| {
+        fields.set_item("argument", argument)?;
+        fields.set_item("name", name)
+    })
 }
 
 /// Refusals of a batch: the rows are a field.
@@ -97,41 +144,73 @@ pub(crate) fn batch(error: BatchError) -> PyErr {
         BatchError::Rows { rows, .. } => rows.clone(),
         _ => Vec::new(),
     };
-    Python::attach(|py| {
-        let fields = PyDict::new(py);
-        match fields.set_item("rows", rows) {
-            Ok(()) => exception(py, "DynamicsError", &error.to_string(), &fields),
-            Err(error) => error,
-        }
+    with("DynamicsError", &error, |_, fields| fields.set_item("rows", rows))
+}
+
+/// Numbers that are no motion: which sample, when, and of which degree of freedom.
+pub(crate) fn motion(error: MotionError) -> PyErr {
+    let (sample, time, dof) = match &error {
+        MotionError::Time { sample, time } => (Some(*sample), Some(*time), None),
+        MotionError::NotFinite { dof, time, .. } => (None, Some(*time), Some(dof)),
+        _ => (None, None, None),
+    };
+    with("MotionError", &error, |_, fields| {
+        fields.set_item("sample", sample)?;
+        fields.set_item("time", time)?;
+        fields.set_item("dof", dof)
     })
+}
+
+/// A run that failed: when, where, and what helps.
+pub(crate) fn run(error: RunError) -> PyErr {
+    run_told(&error, &error)
+}
+
+/// A run of a scene that failed, in the words of a scene.
+pub(crate) fn scene_run(error: SceneError) -> PyErr {
+    match &error {
+        SceneError::Run(run) => run_told(run, &error),
+        _ => plain("RunError")(&error),
+    }
+}
+
+fn run_told(error: &RunError, message: &dyn Display) -> PyErr {
+    let RunError::Failed(failure) = error else { return plain("RunError")(message) };
+    with("RunError", message, |_, fields| {
+        fields.set_item("time", failure.time)?;
+        fields.set_item("dof", failure.dof.as_ref())?;
+        fields.set_item("remedies", failure.remedies.iter().map(ToString::to_string).collect::<Vec<_>>())
+    })
+}
+
+/// A number out of its range: which, its value and its least and greatest value, its unit.
+type Range = (String, [f64; 3], &'static str);
+
+fn set_range(fields: &Bound<'_, PyDict>, range: Option<Range>) -> PyResult<()> {
+    let Some((parameter, [value, lower, upper], unit)) = range else { return Ok(()) };
+    fields.set_item("parameter", parameter.replace([' ', '-'], "_"))?;
+    fields.set_item("value", value)?;
+    fields.set_item("lower", lower)?;
+    fields.set_item("upper", upper)?;
+    fields.set_item("unit", unit)
 }
 
 /// A walk that cannot be: of a number out of its range, which and in which.
 pub(crate) fn gait(error: GaitError) -> PyErr {
+    // Angles of arguments are in rad; numbers of the style are in their own units.
     let range = match &error {
+        GaitError::Request(RequestError::Range {
+            parameter: parameter @ ("slope" | "turn"),
+            value,
+            lower,
+            upper,
+            ..
+        }) => Some(((*parameter).to_owned(), [*value, *lower, *upper].map(f64::to_radians), "rad")),
         GaitError::Request(
             RequestError::Range { parameter, value, lower, upper, unit, .. }
             | RequestError::StepLength { parameter, value, lower, upper, unit, .. },
-        ) => Some((*parameter, [*value, *lower, *upper], unit.trim())),
+        ) => Some(((*parameter).to_owned(), [*value, *lower, *upper], unit.trim())),
         _ => None,
     };
-    // Angles of arguments are in rad; numbers of the style are in their own units.
-    let range = range.map(|(parameter, numbers, unit)| match parameter {
-        "slope" | "turn" => (parameter, numbers.map(f64::to_radians), "rad"),
-        _ => (parameter, numbers, unit),
-    });
-    Python::attach(|py| {
-        let build = || -> PyResult<Bound<'_, PyDict>> {
-            let fields = PyDict::new(py);
-            if let Some((parameter, [value, lower, upper], unit)) = range {
-                fields.set_item("parameter", parameter.replace([' ', '-'], "_"))?;
-                fields.set_item("value", value)?;
-                fields.set_item("lower", lower)?;
-                fields.set_item("upper", upper)?;
-                fields.set_item("unit", unit)?;
-            }
-            Ok(fields)
-        };
-        build().map_or_else(|e| e, |fields| exception(py, "WalkError", &error.to_string(), &fields))
-    })
+    with("WalkError", &error, |_, fields| set_range(fields, range))
 }

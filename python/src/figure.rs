@@ -33,6 +33,31 @@ impl Figure {
     pub(crate) fn figure(&self) -> &model::Figure {
         &self.body.figure
     }
+
+    fn of_text(source: &str, format: &str) -> PyResult<Self> {
+        let faulty =
+            |faults: model::TextError| errors::text("FigureError", "", &faults.to_string(), &[("", &faults)]);
+        let import = match format {
+            "ron" => return text::read(source).map(Self::own).map_err(faulty),
+            "urdf" => urdf::read(source).map_err(faulty)?,
+            "sdf" => sdf::read(source).map_err(faulty)?,
+            "osim" => opensim::read(source).map_err(faulty)?,
+            "mjcf" => mjcf::read(source).map_err(faulty)?,
+            other => {
+                let known = "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'";
+                return Err(errors::argument("format", format!("format is '{other}'; it must be {known}")));
+            }
+        };
+        let mut body = Body::own(import.figure.clone());
+        (body.gravity, body.gravity_is_given, body.findings) =
+            (import.gravity, import.gravity_is_given, import.findings);
+        body.figure = body.figure.with_gravity(import.gravity).map_err(errors::figure)?;
+        if format == "osim" {
+            body.defaults = opensim::coordinate_defaults(source);
+            body.markers = opensim::markers(source, &body.figure).map_err(faulty)?;
+        }
+        Ok(Self { body: Arc::new(body) })
+    }
 }
 
 /// A person of a height (m) and mass (kg): 21 links, 66 degrees of freedom, x left, y up, z forward.
@@ -66,7 +91,7 @@ pub(crate) fn human(
     let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
     let human = load.into_iter().flatten().fold(human, |human, (hand, load)| human.load(hand, load));
     let human = shorter_leg.into_iter().flatten().fold(human, |human, (leg, by)| human.shorter_leg(leg, by));
-    let figure = human.build().map_err(|error| errors::plain("FigureError")(&error))?;
+    let figure = human.build().map_err(errors::human)?;
     Ok(Figure::own(figure))
 }
 
@@ -86,30 +111,8 @@ impl Figure {
     /// Reads a figure from a text: Solaris' own (`"ron"`), `"urdf"`, `"mjcf"`, `"osim"` or `"sdf"`.
     #[staticmethod]
     #[pyo3(signature = (source, format="ron"))]
-    fn from_text(source: &str, format: &str) -> PyResult<Self> {
-        let faulty =
-            |faults: model::TextError| errors::text("FigureError", "", &faults.to_string(), &[("", &faults)]);
-        let import = match format {
-            "ron" => return text::read(source).map(Self::own).map_err(faulty),
-            "urdf" => urdf::read(source).map_err(faulty)?,
-            "sdf" => sdf::read(source).map_err(faulty)?,
-            "osim" => opensim::read(source).map_err(faulty)?,
-            "mjcf" => mjcf::read(source).map_err(faulty)?,
-            other => {
-                let known = "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'";
-                return Err(errors::value(format!("format is '{other}'; it must be {known}")));
-            }
-        };
-        let mut body = Body::own(import.figure.clone());
-        (body.gravity, body.gravity_is_given, body.findings) =
-            (import.gravity, import.gravity_is_given, import.findings);
-        body.figure =
-            body.figure.with_gravity(import.gravity).map_err(|error| errors::plain("FigureError")(&error))?;
-        if format == "osim" {
-            body.defaults = opensim::coordinate_defaults(source);
-            body.markers = opensim::markers(source, &body.figure).map_err(faulty)?;
-        }
-        Ok(Self { body: Arc::new(body) })
+    fn from_text(py: Python<'_>, source: &str, format: &str) -> PyResult<Self> {
+        py.detach(|| Self::of_text(source, format))
     }
 
     /// Its text, which `Figure.from_text` reads back.
@@ -305,11 +308,16 @@ impl Figure {
         let (nq, nv) = (self.nq(), self.nv());
         let (q, step) = (States::of("q", q, nq)?, States::of("step", step, nv)?);
         step.check_rows("step", q.rows)?;
-        let mut out = vec![0.0; q.numbers().len()];
-        for row in 0..q.rows.unwrap_or(1) {
-            let (from, by) = (&q.numbers()[row * nq..][..nq], &step.numbers()[row * nv..][..nv]);
-            self.figure().integrate(from, by, &mut out[row * nq..][..nq]).map_err(errors::value)?;
-        }
+        let (from, by, figure) = (q.numbers(), step.numbers(), self.figure());
+        let mut out = vec![0.0; from.len()];
+        let done = py.detach(|| {
+            let mut rows = out
+                .chunks_exact_mut(nq.max(1))
+                .zip(from.chunks_exact(nq.max(1)))
+                .zip(by.chunks_exact(nv.max(1)));
+            rows.try_for_each(|((out, from), by)| figure.integrate(from, by, out))
+        });
+        done.map_err(errors::value)?;
         shaped(py, out, q.rows, nq)
     }
 
@@ -324,13 +332,16 @@ impl Figure {
         let (nq, nv) = (self.nq(), self.nv());
         let (from, to) = (States::of("start", start, nq)?, States::of("end", end, nq)?);
         to.check_rows("end", from.rows)?;
+        let (starts, ends, figure) = (from.numbers(), to.numbers(), self.figure());
         let mut out = vec![0.0; from.rows.unwrap_or(1) * nv];
-        for row in 0..from.rows.unwrap_or(1) {
-            let at = |states: &States<'_>| states.numbers()[row * nq..][..nq].to_vec();
-            self.figure()
-                .difference(&at(&from), &at(&to), &mut out[row * nv..][..nv])
-                .map_err(errors::value)?;
-        }
+        let done = py.detach(|| {
+            let mut rows = out
+                .chunks_exact_mut(nv.max(1))
+                .zip(starts.chunks_exact(nq.max(1)))
+                .zip(ends.chunks_exact(nq.max(1)));
+            rows.try_for_each(|((out, start), end)| figure.difference(start, end, out))
+        });
+        done.map_err(errors::value)?;
         shaped(py, out, from.rows, nv)
     }
 
@@ -338,8 +349,7 @@ impl Figure {
     fn with_gravity(&self, gravity: &Bound<'_, PyAny>) -> PyResult<Self> {
         let gravity = fixed::<3>("gravity", gravity)?.into();
         let mut body = Body::clone(&self.body);
-        body.figure =
-            body.figure.with_gravity(gravity).map_err(|error| errors::plain("FigureError")(&error))?;
+        body.figure = body.figure.with_gravity(gravity).map_err(errors::figure)?;
         body.gravity = gravity;
         Ok(Self { body: Arc::new(body) })
     }
@@ -375,11 +385,11 @@ fn vector(name: &str, given: &Bound<'_, PyAny>, width: usize) -> PyResult<Vec<f6
     let array = contiguous(name, given)?;
     if *array.shape() != [width] {
         let found = shape(array.shape());
-        return Err(errors::value(format!("{name} has the shape {found}; it must be ({width},)")));
+        return Err(errors::argument(name, format!("{name} has the shape {found}; it must be ({width},)")));
     }
     let numbers = array.as_slice().unwrap_or_default().to_vec();
     match numbers.iter().find(|x| !x.is_finite()) {
-        Some(x) => Err(errors::value(format!("{name} holds {x}; it must hold finite numbers"))),
+        Some(x) => Err(errors::argument(name, format!("{name} holds {x}; it must hold finite numbers"))),
         None => Ok(numbers),
     }
 }

@@ -1,7 +1,7 @@
 //! Motions: sampled states of one figure, with what is known of forces.
 
 use crate::arrays::{States, contiguous};
-use crate::errors::{self, value};
+use crate::errors::{self, argument, value};
 use crate::figure::Figure;
 use crate::{arrow, written};
 use numpy::ndarray::{ArrayView, Dimension, IntoDimension};
@@ -96,13 +96,16 @@ impl Motion {
     ) -> PyResult<Self> {
         let layout = figure.figure().layout();
         let time = contiguous("time", time)?;
-        let [rows] = *time.shape() else { return Err(value("time must be a vector")) };
+        let [rows] = *time.shape() else { return Err(argument("time", "time must be a vector")) };
         let states = |name: &str, given: &Bound<'_, PyAny>, width: usize| {
             let states = States::of(name, given, width)?;
             if states.rows == Some(rows) {
                 Ok(states.numbers().to_vec())
             } else {
-                Err(value(format!("{name} must have a row for each of the {rows} times: ({rows}, {width})")))
+                Err(argument(
+                    name,
+                    format!("{name} must have a row for each of the {rows} times: ({rows}, {width})"),
+                ))
             }
         };
         let rate = |name, given: Option<&Bound<'_, PyAny>>| match given {
@@ -113,8 +116,8 @@ impl Motion {
         let (q, v, a) = (states("q", q, layout.nq())?, rate("v", v)?, rate("a", a)?);
         let time = time.as_slice().unwrap_or_default().to_vec();
         let info = MotionInfo::recorded(figure.figure(), figure.body.gravity, &time);
-        let motion = model::Motion::recorded(figure.figure(), info, time, [q, v, a], known)
-            .map_err(|error| errors::plain("MotionError")(&error))?;
+        let motion =
+            model::Motion::recorded(figure.figure(), info, time, [q, v, a], known).map_err(errors::motion)?;
         Ok(Self::new(figure, motion, String::new()))
     }
 
@@ -197,7 +200,7 @@ impl Motion {
     /// The table as a dictionary of arrays, which `pandas.DataFrame` takes as it is.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
-        for (name, numbers) in self.columns().into_iter().zip(arrow::columns(&self.motion)) {
+        for (name, numbers) in self.columns().into_iter().zip(py.detach(|| arrow::columns(&self.motion))) {
             all.set_item(name, PyArray1::from_vec(py, numbers))?;
         }
         Ok(all)

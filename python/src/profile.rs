@@ -1,7 +1,7 @@
 //! Profiles: curves of one degree of freedom over time, and exact answers about them.
 
 use crate::arrays::contiguous;
-use crate::errors::{self, plain, value};
+use crate::errors::{self, argument, plain, value};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -52,7 +52,7 @@ impl Profile {
             let mut numbers = Vec::with_capacity(times.len() * width);
             for (i, time) in times.iter().enumerate() {
                 if !time.is_finite() {
-                    return Err(value(format!("t holds {time} at {i}; it must be a finite number")));
+                    return Err(argument("t", format!("t holds {time} at {i}; it must be a finite number")));
                 }
                 numbers.extend_from_slice(&self.curve.at(*time).to_array()[..width]);
             }
@@ -205,7 +205,7 @@ impl Profile {
             "jerk" => Quantity::Jerk,
             other => {
                 let known = "'position', 'velocity', 'acceleration' or 'jerk'";
-                return Err(value(format!("quantity is '{other}'; it must be {known}")));
+                return Err(argument("quantity", format!("quantity is '{other}'; it must be {known}")));
             }
         };
         let duration = self.duration();

@@ -1,7 +1,7 @@
 //! A scene on its way, taken further step by step.
 
 use crate::arrays::contiguous;
-use crate::errors::{plain, value};
+use crate::errors::{self, argument, value};
 use crate::figure::Figure;
 use crate::motion::events;
 use crate::profile::Profile;
@@ -11,15 +11,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use solaris::model::nearest;
 use solaris::modes::time::Stepping;
-use solaris::modes::{self, Drive, Rule, RunError, Shape};
+use solaris::modes::{self, Drive, Rule, Shape};
 use solaris::scene::Scene;
 
 /// The step of scenes that leave the method to be chosen (s).
 const STEP: f64 = 1e-3;
-
-fn refused(error: RunError) -> PyErr {
-    plain("RunError")(&error)
-}
 
 /// A scene on its way, which `Scene.start` begins: `step(dt)` or `advance_to(time)` take it further, and in between its drives and forces, or its state,
 /// may be changed.
@@ -62,10 +58,13 @@ impl Running {
             Some("impulses") => Stepping::Impulses { step: STEP },
             Some("adaptive") => Stepping::Adaptive { tolerance: 1e-6 },
             Some(other) => {
-                return Err(value(format!(
-                    "method is '{other}'; it must be 'rk4', 'euler', 'semi-implicit-euler', 'constant-acceleration', 'impulses' or \
+                return Err(argument(
+                    "method",
+                    format!(
+                        "method is '{other}'; it must be 'rk4', 'euler', 'semi-implicit-euler', 'constant-acceleration', 'impulses' or \
                      'adaptive'"
-                )));
+                    ),
+                ));
             }
         };
         let stepping = match (stepping, step, tolerance) {
@@ -78,7 +77,7 @@ impl Running {
             }
             _ => return Err(value("this method has a fixed step: give a step in place of a tolerance")),
         };
-        scene.simulation().start(stepping).map(|running| Self { running }).map_err(refused)
+        scene.simulation().start(stepping).map(|running| Self { running }).map_err(errors::run)
     }
 
     /// The index in `v` of a degree of freedom, or of the only one of a joint.
@@ -101,12 +100,12 @@ impl Running {
 impl Running {
     /// Goes on by `dt` (s). A `dt` that is none changes nothing; where the run fails it stays at the last instant that was reached.
     fn step(&mut self, py: Python<'_>, dt: f64) -> PyResult<()> {
-        py.detach(|| self.running.step(dt)).map_err(refused)
+        py.detach(|| self.running.step(dt)).map_err(errors::run)
     }
 
     /// Goes on to a time (s); where it is there already nothing happens.
     fn advance_to(&mut self, py: Python<'_>, time: f64) -> PyResult<()> {
-        py.detach(|| self.running.advance_to(time)).map_err(refused)
+        py.detach(|| self.running.advance_to(time)).map_err(errors::run)
     }
 
     /// Who moves: of several figures one with all of their links.
@@ -135,13 +134,13 @@ impl Running {
 
     /// The accelerations, which are found when they are asked for.
     fn accelerations<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let a = py.detach(|| self.running.accelerations().map(<[f64]>::to_vec)).map_err(refused)?;
+        let a = py.detach(|| self.running.accelerations().map(<[f64]>::to_vec)).map_err(errors::run)?;
         Ok(PyArray1::from_vec(py, a))
     }
 
     /// Energy of the figure with its springs (J): `kinetic`, `in_gravity`, `in_springs`, `total`.
     fn energy<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let energy = self.running.energy().map_err(refused)?;
+        let energy = self.running.energy().map_err(errors::run)?;
         dictionary(py, &energy)
     }
 
@@ -161,7 +160,7 @@ impl Running {
     /// something else is said.
     fn set_force(&mut self, dof: &str, force: f64) -> PyResult<()> {
         let dof = self.dof(dof)?;
-        self.running.set_force(dof, force).map_err(refused)
+        self.running.set_force(dof, force).map_err(errors::run)
     }
 
     /// Another drive for a degree of freedom, or for all of a joint, from now on; with none of them it is free.
@@ -187,7 +186,7 @@ impl Running {
             (false, None, None, Some(torque)) => Drive::Torque(torque.profile.clone()),
             _ => return Err(value("give one of freeze, to, follow and torque")),
         };
-        py.detach(|| self.running.drive(name, [drive])).map_err(refused)
+        py.detach(|| self.running.drive(name, [drive])).map_err(errors::run)
     }
 
     /// Puts the figure somewhere else, with other velocities; what is not given stays.
@@ -198,7 +197,7 @@ impl Running {
             Some(given) => Ok::<_, PyErr>(contiguous(name, given)?.as_slice().unwrap_or_default().to_vec()),
         };
         let (q, v) = (of("q", q, self.running.q())?, of("v", v, self.running.v())?);
-        self.running.set_state(&q, &v).map_err(refused)
+        self.running.set_state(&q, &v).map_err(errors::run)
     }
 
     /// A snapshot, which goes on from here by itself, to the same bits.

@@ -95,7 +95,7 @@ fn simulate(
     if let Ok(Some(raised)) = watch.raised.into_inner() {
         return Err(raised);
     }
-    let done = done.map_err(|error| plain("RunError")(&error))?;
+    let done = done.map_err(errors::scene_run)?;
     let report = serde_json::to_value(&done.report).map_err(errors::value)?;
     let figure = Figure::own(scene.figure().clone());
     let notes = scene.notes().to_vec();

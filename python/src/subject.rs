@@ -1,7 +1,7 @@
 //! A figure that is brought to a person's size by their markers.
 
 use crate::analysis::length_unit;
-use crate::errors::{self, value};
+use crate::errors::{self, argument, value};
 use crate::figure::Figure;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -44,12 +44,15 @@ pub(crate) fn scale(
 ) -> PyResult<Subject> {
     let unit = length_unit(unit)?;
     if trials.is_empty() {
-        return Err(value("trials are empty; name a recording of the person standing still at least"));
+        return Err(argument(
+            "trials",
+            "trials are empty; name a recording of the person standing still at least",
+        ));
     }
     if let Some(mass) = mass
         && !(mass > 0.0 && mass.is_finite())
     {
-        return Err(value(format!("mass is {mass} kg; it must be a finite number above 0")));
+        return Err(argument("mass", format!("mass is {mass} kg; it must be a finite number above 0")));
     }
     py.detach(|| {
         let mut body = files::body_in(&path, None).map_err(errors::file("FigureError"))?;

@@ -1,7 +1,7 @@
 //! Walks and runs by keyword.
 
-use crate::arrays::contiguous;
-use crate::errors::{self, value};
+use crate::arrays::{contiguous, count};
+use crate::errors::{self, argument};
 use crate::figure::{Figure, human};
 use crate::motion::Motion;
 use crate::report::dictionary;
@@ -68,7 +68,7 @@ pub(crate) fn walk(
     step_frequency: Option<f64>,
     step_length: Option<f64>,
     speed: Option<f64>,
-    steps: Option<usize>,
+    steps: Option<i64>,
     distance: Option<f64>,
     turn: f64,
     backward: bool,
@@ -83,19 +83,19 @@ pub(crate) fn walk(
     left: Option<String>,
     right: Option<String>,
     variability: Option<f64>,
-    seed: u64,
+    seed: i128,
     style: Option<BTreeMap<String, f64>>,
     left_first: Option<bool>,
-    determinants: Option<usize>,
+    determinants: Option<i64>,
     r#loop: Option<&str>,
     rate: Option<f64>,
 ) -> PyResult<Walk> {
     let options = GaitOptions {
-        determinants,
+        determinants: determinants.map(|number| count("determinants", number)).transpose()?,
         step_frequency,
         step_length,
         speed,
-        steps,
+        steps: steps.map(|steps| count("steps", steps)).transpose()?,
         distance,
         turn,
         backward,
@@ -110,7 +110,9 @@ pub(crate) fn walk(
         left,
         right,
         variability,
-        seed,
+        seed: u64::try_from(seed).map_err(|_| {
+            argument("seed", format!("seed is {seed}; it must be a whole number, 0 to {}", u64::MAX))
+        })?,
         style: style.unwrap_or_default(),
         left_first,
         repeats: looped(r#loop)?,
@@ -142,7 +144,7 @@ pub(crate) fn run_gait(
     mass: Option<f64>,
     age: Option<f64>,
     speed: f64,
-    steps: Option<usize>,
+    steps: Option<i64>,
     distance: Option<f64>,
     then: Option<Vec<Bound<'_, PyDict>>>,
     start: &str,
@@ -154,12 +156,12 @@ pub(crate) fn run_gait(
     let bound = |name: &str, given: &str| match given {
         "running" => Ok(false),
         "standing" => Ok(true),
-        other => Err(value(format!("{name} is '{other}'; it must be 'running' or 'standing'"))),
+        other => Err(argument(name, format!("{name} is '{other}'; it must be 'running' or 'standing'"))),
     };
     let options = GaitOptions {
         gait: GaitKind::Run,
         speed: Some(speed),
-        steps,
+        steps: steps.map(|steps| count("steps", steps)).transpose()?,
         distance,
         then: then.unwrap_or_default().iter().map(part).collect::<PyResult<_>>()?,
         from_standing: bound("start", start)?,
@@ -213,7 +215,7 @@ pub(crate) fn manners() -> (Vec<&'static str>, Vec<&'static str>) {
 pub(crate) fn people_curves<'py>(py: Python<'py>, pace: &str) -> PyResult<Bound<'py, PyDict>> {
     let Some(known) = PACES.iter().find(|known| known.name == pace) else {
         let names = PACES.map(|known| format!("'{}'", known.name)).join(", ");
-        return Err(value(format!("pace is '{pace}'; it must be one of {names}")));
+        return Err(argument("pace", format!("pace is '{pace}'; it must be one of {names}")));
     };
     let all = PyDict::new(py);
     for curve in curves(known) {
@@ -232,7 +234,7 @@ fn looped(given: Option<&str>) -> PyResult<Option<Repeats>> {
         None => Ok(None),
         Some("moving") => Ok(Some(Repeats::Moving)),
         Some("in_place") => Ok(Some(Repeats::InPlace)),
-        Some(other) => Err(value(format!("loop is '{other}'; it must be 'moving' or 'in_place'"))),
+        Some(other) => Err(argument("loop", format!("loop is '{other}'; it must be 'moving' or 'in_place'"))),
     }
 }
 
@@ -243,12 +245,17 @@ fn get<'py, T: pyo3::conversion::FromPyObjectOwned<'py>>(
     of.get_item(key)?.map(|found| found.extract().map_err(Into::into)).transpose()
 }
 
+/// How many a key of a dictionary says there are.
+fn counted(name: &str, given: &Bound<'_, PyDict>, key: &str) -> PyResult<Option<usize>> {
+    get(given, key)?.map(|number| count(&format!("{name}['{key}']"), number)).transpose()
+}
+
 /// Refuses keys that mean nothing.
 fn keys(name: &str, given: &Bound<'_, PyDict>, known: &[&str]) -> PyResult<()> {
     for key in given.keys() {
         let key: String = key.extract()?;
         if !known.contains(&key.as_str()) {
-            return Err(value(format!("{name} has no '{key}'; its keys are {}", known.join(", "))));
+            return Err(argument(name, format!("{name} has no '{key}'; its keys are {}", known.join(", "))));
         }
     }
     Ok(())
@@ -258,7 +265,7 @@ fn part(given: &Bound<'_, PyDict>) -> PyResult<PartOptions> {
     let known = ["steps", "distance", "stand", "step_frequency", "step_length", "speed", "turn", "backward"];
     keys("then", given, &known)?;
     Ok(PartOptions {
-        steps: get(given, "steps")?,
+        steps: counted("then", given, "steps")?,
         distance: get(given, "distance")?,
         stand: get(given, "stand")?,
         step_frequency: get(given, "step_frequency")?,
@@ -271,7 +278,11 @@ fn part(given: &Bound<'_, PyDict>) -> PyResult<PartOptions> {
 
 fn flight(given: &Bound<'_, PyDict>) -> PyResult<StairOptions> {
     keys("stairs", given, &["count", "rise", "tread"])?;
-    Ok(StairOptions { count: get(given, "count")?, rise: get(given, "rise")?, tread: get(given, "tread")? })
+    Ok(StairOptions {
+        count: counted("stairs", given, "count")?,
+        rise: get(given, "rise")?,
+        tread: get(given, "tread")?,
+    })
 }
 
 /// Rows of two numbers.
@@ -288,10 +299,10 @@ fn rows(name: &str, given: &Bound<'_, PyAny>, least: usize, most: usize) -> PyRe
         }
         ref found => {
             let width = if least == most { least.to_string() } else { format!("{least} to {most}") };
-            Err(value(format!(
-                "{name} has the shape {}; it must be rows of {width}",
-                crate::arrays::shape(found)
-            )))
+            Err(argument(
+                name,
+                format!("{name} has the shape {}; it must be rows of {width}", crate::arrays::shape(found)),
+            ))
         }
     }
 }
@@ -373,7 +384,7 @@ impl Walk {
     /// The configuration at any time (s).
     fn configuration<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, numpy::PyArray1<f64>>> {
         if !time.is_finite() {
-            return Err(value(format!("time is {time}; it must be a finite number of seconds")));
+            return Err(argument("time", format!("time is {time}; it must be a finite number of seconds")));
         }
         let mut q = vec![0.0; self.figure.figure().layout().nq()];
         match &self.plan {

@@ -2,7 +2,7 @@
 
 use crate::analysis::{complete, contact};
 use crate::arrays::fixed;
-use crate::errors::{plain, value};
+use crate::errors::{argument, plain, value};
 use crate::figure::{Figure, human};
 use crate::motion::Motion;
 use numpy::PyArray1;
@@ -187,9 +187,8 @@ impl Walker {
         let point = vector("at", at)?.unwrap_or_else(Vector3::zeros);
         let axis = match vector("axis", axis)? {
             None => Vector3::z_axis(),
-            Some(axis) => {
-                Unit::try_new(axis, 0.0).ok_or_else(|| value("axis has no direction; give it a length"))?
-            }
+            Some(axis) => Unit::try_new(axis, 0.0)
+                .ok_or_else(|| argument("axis", "axis has no direction; give it a length"))?,
         };
         let turned = turned.map(|turned| quaternion("turned", turned)).transpose()?;
         let goal = match (vector("to", to)?, vector("look", look)?, turned) {
@@ -292,5 +291,5 @@ fn vector(name: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vecto
 fn quaternion(name: &str, given: &Bound<'_, PyAny>) -> PyResult<UnitQuaternion<f64>> {
     let [x, y, z, w] = fixed::<4>(name, given)?;
     let turned = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 0.0);
-    turned.ok_or_else(|| value(format!("{name} is no rotation; a quaternion has a length")))
+    turned.ok_or_else(|| argument(name, format!("{name} is no rotation; a quaternion has a length")))
 }

@@ -20,6 +20,12 @@ NAMES = [
     "\u202eevil\u200b",
     "{{7*7}} ${x} `id`",
     "../../etc/passwd",
+    "one\ntwo\r\nthree",
+    "nul\0byte",
+    "\x1b[31mred",
+    "\N{BONE} \N{ZERO WIDTH JOINER}",
+    " ends with a space ",
+    "x" * 3000,
 ]
 
 

@@ -67,3 +67,25 @@ pub(crate) fn guard(run: impl FnOnce() -> Result<(), Failure>) -> Status {
     LAST.with_borrow_mut(|last| *last = text(&failure.1));
     failure.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ffi::CStr;
+    use std::panic::panic_any;
+
+    #[test]
+    fn a_panic_becomes_a_status_with_its_words() {
+        let last = || {
+            // SAFETY: it is a text that ends, and lives until this thread's next call.
+            unsafe { CStr::from_ptr(solaris_last_error()) }.to_str().expect("UTF-8").to_owned()
+        };
+        assert_eq!(guard(|| panic!("link {} is gone", 7)), Status::Panic);
+        assert_eq!(last(), "a fault of the library: link 7 is gone");
+        assert_eq!(guard(|| panic!("gone")), Status::Panic);
+        assert_eq!(last(), "a fault of the library: gone");
+        assert_eq!(guard(|| panic_any(3)), Status::Panic);
+        assert_eq!(last(), "a fault of the library: no reason");
+        assert_eq!(guard(|| Ok(())), Status::Ok);
+    }
+}

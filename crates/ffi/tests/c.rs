@@ -1,6 +1,7 @@
 //! The programs of `examples/`, compiled by the machine's C and C++ compilers, where it has them, under the sanitizers of addresses and
 //! of undefined behaviour, where these have them.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -34,11 +35,11 @@ fn output(compiler: &str, source: &str, standard: &str) -> Option<String> {
     let built = match sanitized {
         Some(built) if built.status.success() => built,
         Some(_) => {
-            eprintln_skip(&format!("{compiler} has no sanitizers here; {source} runs without"));
+            skip(&format!("{compiler} has no sanitizers here; {source} runs without"));
             compile(&[])?
         }
         None => {
-            eprintln_skip(&format!("there is no {compiler}: {source} is not compiled"));
+            skip(&format!("there is no {compiler}: {source} is not compiled"));
             return None;
         }
     };
@@ -48,9 +49,9 @@ fn output(compiler: &str, source: &str, standard: &str) -> Option<String> {
     Some(String::from_utf8(ran.stdout).expect("a text"))
 }
 
-#[allow(clippy::print_stderr, reason = "a skip is said aloud")]
-fn eprintln_skip(why: &str) {
-    eprintln!("skipped: {why}");
+/// Said past what keeps the words of tests that pass.
+fn skip(why: &str) {
+    writeln!(std::io::stderr(), "skipped: {why}").expect("stderr");
 }
 
 #[test]

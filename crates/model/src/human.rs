@@ -121,6 +121,23 @@ pub enum HumanError {
     Figure(#[from] FigureError),
 }
 
+impl HumanError {
+    /// Which number is out of its range, where one is: its name, itself and its least and greatest value, their unit.
+    pub fn range(&self) -> Option<(&'static str, [f64; 3], &'static str)> {
+        match *self {
+            Self::Height { height } => Some(("height", [height, HEIGHT.0, HEIGHT.1], "m")),
+            Self::Mass { mass, lower, upper, .. } => Some(("mass", [mass, lower, upper], "kg")),
+            Self::SegmentLength { length, lower, upper, .. } => {
+                Some(("segment length", [length, lower, upper], "m"))
+            }
+            Self::Age { age } => Some(("age", [age, child::AGES.0, f64::INFINITY], "years")),
+            Self::Load { load, mass, .. } => Some(("load", [load, 0.0, MOST_LOAD * mass], "kg")),
+            Self::ShorterLeg { by, most, .. } => Some(("shorter leg", [by, 0.0, most], "m")),
+            _ => None,
+        }
+    }
+}
+
 /// A human of `height` (m) and `mass` (kg): 21 segments and 66 degrees of freedom.
 ///
 /// The frame is x left, y up, z forward; in the zero posture the figure stands upright with arms and legs straight down,

@@ -70,6 +70,10 @@ struct Drives;
 struct Ground;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/live.md")]
+struct Live;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/learn/game.md")]
 struct LearnGame;
 

@@ -5,10 +5,12 @@ import { test } from "node:test";
 
 import init, { Dynamics, Figure, Walker, walk } from "./dist/solaris_web.js";
 import * as full from "./dist/full/solaris_web.js";
+import * as small from "./dist/walker/solaris_web.js";
 
 const wasm = (path) => readFileSync(new URL(`./dist/${path}solaris_web_bg.wasm`, import.meta.url));
 await init({ module_or_path: wasm("") });
 await full.default({ module_or_path: wasm("full/") });
+await small.default({ module_or_path: wasm("walker/") });
 const ann = Figure.human(1.65, 58);
 
 test("a walk is carried by the ground", () => {
@@ -67,6 +69,27 @@ test("a walker comes to a point, and a copy goes on alike", () => {
   assert.deepEqual(walker.step(0.1), twin.step(0.1));
 });
 
+test("the smallest entry walks alike", () => {
+  const [one, other] = [new Walker(ann), new small.Walker(small.Figure.human(1.65, 58))];
+  for (const walker of [one, other]) walker.go(0.3, 1.1);
+  for (let frame = 0; frame < 300; frame++) assert.deepEqual(one.step(1 / 60), other.step(1 / 60));
+  const text = ann.toText();
+  assert.equal(small.Figure.fromText(text).nv, ann.nv);
+  assert.throws(() => small.Figure.fromText("<robot/>", "urdf"), /with solaris-motion 'urdf'/);
+});
+
+test("a body with its motion is a GLB", () => {
+  const { Figure, walk } = full;
+  const loop = walk(Figure.human(1.65, 58), { loop: "moving", rate: 30 });
+  const glb = loop.toGlb("stroll");
+  const view = new DataView(glb.buffer, glb.byteOffset);
+  assert.equal(view.getUint32(0, true), 0x46546c67);
+  assert.equal(view.getUint32(8, true), glb.length);
+  const document = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + view.getUint32(12, true))));
+  assert.deepEqual(document.animations.map((clip) => clip.name), ["stroll"]);
+  assert.equal(document.skins.length, 1);
+});
+
 test("figures from texts, and scenes", () => {
   const urdf = readFileSync(new URL("../../../fixtures/figures/arm.urdf", import.meta.url), "utf8");
   const arm = Figure.fromText(urdf, "urdf");
@@ -80,6 +103,16 @@ test("figures from texts, and scenes", () => {
   );
   assert.equal(motion.time.at(-1), 1);
   assert.match(motion.report.method, /adaptive/);
+});
+
+test("the page's program runs", async () => {
+  const page = readFileSync(new URL("./README.md", import.meta.url), "utf8");
+  const program = page.match(/```js\n(.*?)```/s)[1].replace('"solaris-motion"', JSON.stringify(import.meta.resolve("./dist/solaris_web.js")));
+  // Modules are made ready once: that is done above, as in node.
+  const source = `${program.replace(/^await init.*$/m, "")}\nexport { ann, motion, poses };`;
+  const { ann, motion, poses } = await import(`data:text/javascript,${encodeURIComponent(source)}`);
+  assert.equal(motion.tau.length, motion.length * ann.nv);
+  assert.equal(poses.length, 7 * ann.links.length);
 });
 
 test("what is wrong is said", () => {

@@ -1,11 +1,21 @@
 //! Figures.
 
 use crate::failed;
-use solaris::io::{mjcf, urdf};
+#[cfg(feature = "walks")]
+use solaris::io::{Import, mjcf, urdf};
 #[cfg(feature = "full")]
 use solaris::io::{opensim, sdf};
 use solaris::model::{self, Human, Link, RootOrder, Vector3, text};
 use wasm_bindgen::prelude::*;
+
+/// What texts of figures can be, by entry.
+const FORMATS: &str = if cfg!(feature = "full") {
+    "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'"
+} else if cfg!(feature = "walks") {
+    "'ron', 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
+} else {
+    "'ron', or with solaris-motion 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
+};
 
 /// Gravity where no text says it: y is up (m/s²).
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -35,6 +45,16 @@ impl Figure {
     }
 }
 
+#[cfg(feature = "walks")]
+impl Figure {
+    /// A model of another program.
+    fn read(import: Import) -> Result<Self, JsError> {
+        let findings = import.findings.iter().map(ToString::to_string).collect();
+        let figure = import.figure.with_gravity(import.gravity).map_err(failed)?;
+        Ok(Self { gravity: import.gravity, findings, ..Self::own(figure) })
+    }
+}
+
 #[wasm_bindgen]
 impl Figure {
     /// A person of this height (m) and mass (kg), with a child's proportions below 18 years; the root turns by its heading first, as
@@ -45,30 +65,22 @@ impl Figure {
         human.build().map(Self::own).map_err(failed)
     }
 
-    /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"` or `"mjcf"`; with the entry `solaris-motion/full` also `"osim"` or `"sdf"`.
+    /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"` or `"mjcf"`; with the entry `solaris-motion/full` also `"osim"` or `"sdf"`;
+    /// with `solaris-motion/walker` only `"ron"`.
     #[wasm_bindgen(js_name = fromText)]
     pub fn from_text(source: &str, format: Option<String>) -> Result<Figure, JsError> {
-        let import = match format.as_deref().unwrap_or("ron") {
-            "ron" => return text::read(source).map(Self::own).map_err(failed),
-            "urdf" => urdf::read(source),
-            "mjcf" => mjcf::read(source),
+        match format.as_deref().unwrap_or("ron") {
+            "ron" => text::read(source).map(Self::own).map_err(failed),
+            #[cfg(feature = "walks")]
+            "urdf" => urdf::read(source).map_err(failed).and_then(Self::read),
+            #[cfg(feature = "walks")]
+            "mjcf" => mjcf::read(source).map_err(failed).and_then(Self::read),
             #[cfg(feature = "full")]
-            "osim" => opensim::read(source),
+            "osim" => opensim::read(source).map_err(failed).and_then(Self::read),
             #[cfg(feature = "full")]
-            "sdf" => sdf::read(source),
-            other => {
-                let known = if cfg!(feature = "full") {
-                    "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'"
-                } else {
-                    "'ron', 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
-                };
-                return Err(failed(format!("format is '{other}'; it must be {known}")));
-            }
-        };
-        let import = import.map_err(failed)?;
-        let findings = import.findings.iter().map(ToString::to_string).collect();
-        let figure = import.figure.with_gravity(import.gravity).map_err(failed)?;
-        Ok(Self { gravity: import.gravity, findings, ..Self::own(figure) })
+            "sdf" => sdf::read(source).map_err(failed).and_then(Self::read),
+            other => Err(failed(format!("format is '{other}'; it must be {FORMATS}"))),
+        }
     }
 
     /// Its text, which `Figure.fromText` reads back.

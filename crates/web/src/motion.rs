@@ -3,6 +3,8 @@
 use crate::failed;
 use crate::figure::Figure;
 use js_sys::JSON;
+#[cfg(feature = "full")]
+use solaris::io::glb;
 use solaris::io::{bvh, csv};
 use solaris::model;
 use std::borrow::Cow;
@@ -105,5 +107,21 @@ impl Motion {
         let mut bytes = Vec::new();
         bvh::write(&self.figure.figure, &self.frames(), bvh::Unit::default(), &mut bytes).map_err(failed)?;
         String::from_utf8(bytes).map_err(failed)
+    }
+}
+
+#[cfg(feature = "full")]
+#[wasm_bindgen]
+impl Motion {
+    /// The body with the motion as its clip (named so, or as the figure), as the bytes of a GLB.
+    #[wasm_bindgen(js_name = toGlb)]
+    pub fn to_glb(&self, clip: Option<String>) -> Result<Vec<u8>, JsError> {
+        let figure = &self.figure.figure;
+        let actor = glb::Actor { name: figure.name(), figure, skin: None };
+        let name = clip.as_deref().unwrap_or_else(|| figure.name());
+        let clips = [glb::Clip { name, motions: vec![(0, &self.motion)] }];
+        let mut bytes = Vec::new();
+        glb::write(&[actor], &clips, glb::Options::default(), &mut bytes).map_err(failed)?;
+        Ok(bytes)
     }
 }

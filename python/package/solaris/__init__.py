@@ -41,6 +41,7 @@ from ._solaris import (
     walk,
 )
 from .errors import (
+    ArgumentError,
     DynamicsError,
     Fault,
     FigureError,
@@ -56,6 +57,7 @@ from .errors import (
 __version__ = "0.1.0"
 
 __all__ = [
+    "ArgumentError",
     "Dynamics",
     "DynamicsError",
     "Fault",
