@@ -76,10 +76,11 @@ impl Dynamics {
                 [6] => vec![wrench(numbers); states],
                 [found, 6] if Some(found) == rows => numbers.chunks_exact(6).map(wrench).collect(),
                 ref found => {
-                    let shape = shape(found);
-                    return Err(value(format!(
-                        "external['{name}'] has the shape {shape}; it must be (6,), or (states, 6)"
-                    )));
+                    let (argued, shape) = (format!("external['{name}']"), shape(found));
+                    return Err(argument(
+                        &argued,
+                        format!("{argued} has the shape {shape}; it must be (6,), or (states, 6)"),
+                    ));
                 }
             };
             tracks.push((self.link(&name)?, of_states));

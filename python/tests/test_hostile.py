@@ -71,6 +71,10 @@ def test_tables_keep_names(name, tmp_path):
     table = parquet.read_table(tmp_path / "x.parquet")
     assert table.column_names == motion.columns and f"{name}.q" in table.column_names
     assert np.array_equal(table[f"{name}.q"].to_numpy(), motion.q[:, 0])
+    if "\n" in name or name != name.strip():
+        with pytest.raises(solaris.FileError, match="cannot be a name in CSV"):
+            motion.save(tmp_path / "x.csv")
+        return
     motion.save(tmp_path / "x.csv")
     assert np.array_equal(solaris.read_motion(motion.figure, tmp_path / "x.csv").q, motion.q)
 

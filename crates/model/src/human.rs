@@ -123,6 +123,11 @@ pub enum HumanError {
 
 impl HumanError {
     /// Which number is out of its range, where one is: its name, itself and its least and greatest value, their unit.
+    ///
+    /// ```
+    /// let error = solaris_model::human(9.0, 70.0).unwrap_err();
+    /// assert_eq!(error.range(), Some(("height", [9.0, 0.8, 2.3], "m")));
+    /// ```
     pub fn range(&self) -> Option<(&'static str, [f64; 3], &'static str)> {
         match *self {
             Self::Height { height } => Some(("height", [height, HEIGHT.0, HEIGHT.1], "m")),

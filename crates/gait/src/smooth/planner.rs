@@ -13,6 +13,11 @@ use solaris_model::Figure;
 
 /// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
 const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
+/// Whether there is a second way to go over the ground of a walk.
+fn may_go_otherwise(request: &WalkRequest) -> bool {
+    matches!(request.ground, WalkGround::Relief(_) | WalkGround::Footholds(_))
+}
+
 /// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
 fn may_step_otherwise(request: &WalkRequest) -> bool {
     matches!(request.ground, WalkGround::Relief(_))
@@ -52,10 +57,17 @@ impl<'a> Planner<'a> {
     pub(super) fn planned(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
         let route = self.route(request, part)?;
         match self.planned_on(request, part, &route) {
-            Err(error @ GaitError::Plan(_)) if may_step_otherwise(request) => {
+            Err(error @ GaitError::Plan(_)) if may_go_otherwise(request) => {
                 let usual = route.pace().step_length;
-                let other = OTHER_STEPS.iter().map(|part| route.with_step_length(part * usual, usize::MAX));
-                let mut plans = other.map(|route| self.planned_on(request, part, &route));
+                let other = OTHER_STEPS.iter().filter(|_| may_step_otherwise(request));
+                let other: Vec<Route> =
+                    other.map(|part| route.with_step_length(part * usual, usize::MAX)).collect();
+                let otherwise = std::iter::once(&route).chain(&other).map(Route::otherwise);
+                let mut plans = other
+                    .iter()
+                    .cloned()
+                    .chain(otherwise)
+                    .map(|route| self.planned_on(request, part, &route));
                 plans.find_map(Result::ok).ok_or(error)
             }
             found => found,

@@ -56,6 +56,8 @@ struct Part {
 pub(crate) struct Route {
     parts: Vec<Part>,
     ground: WalkGround,
+    /// Whether it goes over ground in the second way, see [`Terrain::of`].
+    otherwise: bool,
 }
 
 impl Route {
@@ -135,7 +137,7 @@ impl Route {
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
         let ground = request.ground.clone();
-        let route = Self { parts, ground };
+        let route = Self { parts, ground, otherwise: false };
         if !route.is_level() && (!route.is_even() || request.is_uneven() || heading != 0.0) {
             let what = "turns, changes of pace, steps that differ and a second walk";
             return Err(RequestError::NotOnTerrain { what }.into());
@@ -173,7 +175,7 @@ impl Route {
             length: Some(laid.length),
             laid: Some(laid),
         });
-        Ok(Self { parts: parts.collect(), ground: WalkGround::Level })
+        Ok(Self { parts: parts.collect(), ground: WalkGround::Level, otherwise: false })
     }
 
     /// Where a step of a path leads (x, z; m); both count from 1.
@@ -201,7 +203,12 @@ impl Route {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
         let parts = vec![Part { pace, steps: first.steps.min(most), length: None, ..first }];
-        Self { parts, ground: self.ground.clone() }
+        Self { parts, ground: self.ground.clone(), otherwise: self.otherwise }
+    }
+
+    /// The same in the second way to go over ground.
+    pub(crate) fn otherwise(&self) -> Self {
+        Self { otherwise: true, ..self.clone() }
     }
 
     /// The same with no more steps than decide whether it holds: those of its beginning and its end, and some between.
@@ -266,14 +273,12 @@ impl Route {
         let level = styling.style_from(&table, body, &part.pace)?;
         let width = level.step_width;
         let usual = (part.pace.step_length, width);
-        let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, mirrored)? else {
+        let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, [mirrored, self.otherwise])?
+        else {
             unreachable!("ground that is not level")
         };
-        let tread = match &self.ground {
-            WalkGround::Stairs(stairs) => stairs.tread,
-            _ => part.pace.step_length,
-        };
-        let on_tread = Style::from_table(&table, &body.leg, body.height, part.pace.step_frequency, tread);
+        let on_tread =
+            |tread: f64| Style::from_table(&table, &body.leg, body.height, part.pace.step_frequency, tread);
         let style = |kind: StepKind| {
             Ok(match kind {
                 StepKind::Slope(slope, step_length) => {
@@ -282,10 +287,10 @@ impl Route {
                     style.on_slope(&body.leg, body.height, slope)
                 }
                 // Planted feet do not turn: they point as on the level.
-                StepKind::Stairs(rise) => Style {
+                StepKind::Stairs { rise, tread } => Style {
                     foot_yaw: level.foot_yaw,
                     manner: level.manner,
-                    ..on_tread.on_stairs(&body.leg, body.height, rise)
+                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise)
                 },
             })
         };

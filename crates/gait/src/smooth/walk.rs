@@ -2,6 +2,7 @@
 
 mod check;
 mod course;
+mod edges;
 mod feet;
 mod footholds;
 mod gaits;

@@ -1,7 +1,7 @@
 //! Walks over ground by chance, within limits: mixtures of slopes, kerbs and flats.
 
 use crate::terrain::{judge_loaded, request};
-use solaris_gait::{WalkGround, walk};
+use solaris_gait::{Extent, WalkGround, WalkRequest, walk};
 use solaris_model::{Relief, human};
 
 /// How many, and how many of them must be walked over.
@@ -66,4 +66,59 @@ fn ground_by_chance_is_walked_over_or_refused_by_what_is_wrong() {
     }
     println!("{walked} of {PROFILES}");
     assert!(walked >= LEAST, "{walked} of {PROFILES} were walked over");
+}
+
+/// A kerb, a pavement that is left again, two kerbs in a row, or a flight of up to five uneven stairs: edges of 6 to 20 cm, up or down.
+fn edges(number: u32) -> Relief {
+    let mut chance = Chance(u64::from(number) + 901);
+    for _ in 0..4 {
+        chance.between(0.0, 1.0);
+    }
+    let up = if chance.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
+    let (mut z, mut height) = (chance.between(1.0, 4.0), up * chance.between(0.06, 0.19));
+    let first = height;
+    let mut points = vec![[z, 0.0], [z, height]];
+    let mut next = |z: f64, to: f64| {
+        points.extend([[z, height], [z, to]]);
+        height = to;
+    };
+    match number % 4 {
+        1 => next(z + chance.between(0.9, 4.0), 0.0),
+        2 => next(z + chance.between(1.2, 3.0), first + up * chance.between(0.06, 0.18)),
+        3 => {
+            let tread = chance.between(0.27, 0.33);
+            for stair in 2..3 + chance.between(0.0, 4.0) as u32 {
+                z += tread + chance.between(-0.006, 0.006);
+                next(z, f64::from(stair) * first + up * chance.between(-0.004, 0.004));
+            }
+        }
+        _ => {}
+    }
+    Relief::new(points).expect("a relief")
+}
+
+#[test]
+fn kerbs_pavements_and_flights_are_climbed_by_anybody_at_any_pace() {
+    let mut walked = 0;
+    for number in 0..PROFILES {
+        let mut chance = Chance(u64::from(number) + 77);
+        for _ in 0..4 {
+            chance.between(0.0, 1.0);
+        }
+        let height = chance.between(1.5, 1.95);
+        let person = human(height, 23.8 * height * height).expect("a person");
+        let ask = WalkRequest {
+            extent: Extent::Steps(16),
+            ..request(WalkGround::Relief(edges(number)), chance.between(70.0, 112.0).round())
+        };
+        match walk(&person, &ask) {
+            Ok(_) => {
+                walked += 1;
+                judge_loaded(&format!("edges {number}"), &person, &ask, 165.0);
+            }
+            Err(error) => println!("edges {number}, {height:.2} m, {:?}: {error}", ask.ground),
+        }
+    }
+    println!("{walked} of {PROFILES}");
+    assert!(walked >= 95, "{walked} of {PROFILES} were climbed");
 }

@@ -106,6 +106,40 @@ fn what_is_written_is_what_inverse_reads() {
 }
 
 #[test]
+fn ground_that_is_not_level_is_told_and_carries_no_shift() {
+    let folder = tempfile::tempdir().expect("a folder");
+    succeeded(&solaris(folder.path(), "figure human --height 1.75 --mass 73 -o human.ron"));
+    for (ground, [low, high]) in [("--stairs 4", [0.0, 0.68]), ("--slope 8", [0.0, 0.5])] {
+        succeeded(&solaris(
+            folder.path(),
+            &format!("walk --height 1.75 --mass 73 {ground} --rate 120 -o walk.csv"),
+        ));
+        let report = json(&succeeded(&solaris(folder.path(), "ground human.ron walk.csv --json")));
+        let [from, to] = [0, 1].map(|i| number(&report, &format!("/ground/feet_stand_m/{i}")));
+        assert!((from - low).abs() < 0.01 && to > high - 0.01, "{ground}: {from} to {to} m");
+        assert_eq!(report["ground"]["belt_m_s"], serde_json::json!([0.0, 0.0, 0.0]), "{ground}");
+        let told = succeeded(&solaris(folder.path(), "ground human.ron walk.csv"));
+        assert!(told.contains("not level: feet stand 0 to 0."), "{told}");
+        let said =
+            refused(&solaris(folder.path(), "ground human.ron walk.csv --consistent --motion-out m.csv"));
+        assert!(said.contains("a shift of the root is found on level ground alone"), "{said}");
+        // Measures of the same motion by the same forces.
+        let metrics = json(&succeeded(&solaris(
+            folder.path(),
+            "metrics human.ron walk.csv --stances feet --ground --json",
+        )));
+        let all = metrics["metrics"].as_array().expect("a list");
+        let peak = all.iter().find(|metric| metric["metric"] == "vertical_first_percent_bw").expect("a peak");
+        let peak = peak["value"].as_f64().expect("a number");
+        assert!((95.0..160.0).contains(&peak), "{ground}: {peak} %BW");
+    }
+    // On a floor there is nothing of it.
+    succeeded(&solaris(folder.path(), "walk --height 1.75 --mass 73 --steps 4 --rate 120 -o walk.csv"));
+    let report = json(&succeeded(&solaris(folder.path(), "ground human.ron walk.csv --json")));
+    assert!(report["ground"].get("feet_stand_m").is_none_or(Value::is_null));
+}
+
+#[test]
 fn a_motion_before_its_figure_is_told_to_swap() {
     let folder = subject();
     for command in ["ground", "inverse", "metrics"] {

@@ -49,12 +49,12 @@ impl Print {
 
 impl Terrain {
     /// From foothold to foothold, for level steps of a pace whose steps are `usual` long and whose feet are `width` apart (m). The right foot goes first;
-    /// `mirrored`: everything is the other way.
+    /// `mirrored`: everything is the other way. `smoothly`: in the style of the mean slope around each step, in place of its own.
     pub(super) fn on_footholds(
         footholds: &[Foothold],
         leg: &LegGeometry,
         (usual, width): (f64, f64),
-        mirrored: bool,
+        [mirrored, smoothly]: [bool; 2],
     ) -> Result<Self, GaitError> {
         range("footholds", footholds.len() as f64, "", (STEPS.0 as f64, STEPS.1 as f64), String::new)?;
         let length = leg.foot_length();
@@ -69,12 +69,23 @@ impl Terrain {
                 .map_err(|why| RequestError::Foothold { number: i + 1, why })?;
             prints.push(print);
         }
+        let slopes: Vec<f64> = prints
+            .windows(2)
+            .map(|pair| {
+                let way = pair[1].place - pair[0].place;
+                way.y.atan2(way.x.hypot(way.z))
+            })
+            .collect();
+        let around = |k: usize| {
+            let (before, after) = (slopes[k.saturating_sub(1)], slopes[(k + 1).min(slopes.len() - 1)]);
+            0.25 * (before + 2.0 * slopes[k] + after)
+        };
         let (mut steps, mut kinds) = (Vec::new(), Vec::new());
-        for pair in prints.windows(2) {
+        for (k, pair) in prints.windows(2).enumerate() {
             let [before, next] = pair else { continue };
             let way = next.place - before.place;
             let (ahead, rise) = (way.x.hypot(way.z), way.y);
-            let slope = rise.atan2(ahead);
+            let slope = if smoothly { around(k) } else { slopes[k] };
             // In the style of level steps that are as long for the pace as this one is for the slope.
             let part = ahead / (usual * step_length_on_slope(slope));
             kinds.push(StepKind::Slope(slope, usual * part.clamp(SHORTEST_STYLE, 1.0)));

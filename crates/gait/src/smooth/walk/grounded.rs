@@ -55,9 +55,9 @@ impl Strides<'_> {
                 self.of(StepKind::Slope(0.5 * (a + b), 0.5 * (s + t)))
             }
             // At the top of stairs the body stands as on them: it rises to its height on the level after that.
-            (StepKind::Stairs(rise), StepKind::Slope(..)) if rise > 0.0 => self.of(before),
+            (StepKind::Stairs { rise, .. }, StepKind::Slope(..)) if rise > 0.0 => self.of(before),
             // Over the last level print before they lead down the knee bends as on stairs.
-            (StepKind::Slope(..), StepKind::Stairs(rise)) if rise < 0.0 => {
+            (StepKind::Slope(..), StepKind::Stairs { rise, .. }) if rise < 0.0 => {
                 Ok(self.of(before)?.mixed(&self.of(after)?, DOWN_FROM))
             }
             _ if before == after => self.of(before),
@@ -117,21 +117,21 @@ impl Grounded {
             .map(|k| {
                 let (to, from) = (k.min(n), k.saturating_sub(2).min(n));
                 let stairs = [into(k.saturating_sub(1)), into(k)].into_iter().find_map(|kind| match kind {
-                    StepKind::Stairs(rise) => Some(rise),
+                    StepKind::Stairs { .. } => Some(kind),
                     StepKind::Slope(..) => None,
                 });
                 let stair = stairs.filter(|_| k >= 1 && k <= n);
                 let slope =
                     (places[to][1] - places[from][1]).atan2((places[to][0] - places[from][0]).max(0.05));
                 let style = match stair {
-                    Some(rise) => style(StepKind::Stairs(rise))?,
+                    Some(kind) => style(kind)?,
                     None => style(StepKind::Slope(
                         slope,
                         0.5 * (length(Some(&into(k))) + length(Some(&into(k.saturating_sub(1))))),
                     ))?,
                 };
                 let stepped =
-                    [into(k.saturating_sub(1)), into(k)].map(|kind| matches!(kind, StepKind::Stairs(_)));
+                    [into(k.saturating_sub(1)), into(k)].map(|kind| matches!(kind, StepKind::Stairs { .. }));
                 let passings = style.stairs.map_or_else(Vec::new, |stairs| {
                     let at = [from, k.saturating_sub(1), k].map(|k| places[k.min(n)]);
                     passings(&stairs, stepped, at, style.step_length, body)

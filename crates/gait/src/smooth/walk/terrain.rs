@@ -15,8 +15,8 @@ use solaris_model::Relief;
 pub(crate) enum StepKind {
     /// Along a line of this slope (rad), in the style of level steps of this length (m).
     Slope(f64, f64),
-    /// From a tread to the next one, which is so much higher (m).
-    Stairs(f64),
+    /// From a tread to the next one, which is so much higher and so far ahead (m).
+    Stairs { rise: f64, tread: f64 },
 }
 
 /// Steps over ground that is not level.
@@ -33,9 +33,9 @@ pub(crate) struct Terrain {
 /// Level steps before and after stairs.
 pub(crate) const LEAD: usize = 3;
 /// How much shorter these steps are than elsewhere: the body is as slow before the stairs as on them, and gains speed after them.
-const BEFORE_UP: [f64; LEAD] = [0.85, 0.75, 0.65];
-const BEFORE_DOWN: [f64; LEAD] = [0.85, 0.68, 0.50];
-const AFTER_STAIRS: [f64; LEAD] = [0.60, 0.85, 0.85];
+pub(super) const BEFORE_UP: [f64; LEAD] = [0.85, 0.75, 0.65];
+pub(super) const BEFORE_DOWN: [f64; LEAD] = [0.85, 0.68, 0.50];
+pub(super) const AFTER_STAIRS: [f64; LEAD] = [0.60, 0.85, 0.85];
 /// How much shorter the first steps are up a slope and down one, over the slope (1/rad), and the last ones, from the last one on: soles
 /// hold less there, and uphill people gain their speed in a few steps.
 const SHORTER_FIRST: [[f64; 4]; 2] = [[1.8, 1.5, 1.0, 0.5], [1.5, 0.0, 0.0, 0.0]];
@@ -64,13 +64,14 @@ const LOOKS_BY: f64 = 0.005;
 
 impl Terrain {
     /// Over `ground`, for level steps `levels` of a pace whose steps are `usual` long and whose feet are `width` apart (m); `None` on level ground.
-    /// `mirrored`: the left foot goes first, and all is planned the other way.
+    /// `mirrored`: the left foot goes first, and all is planned the other way. `otherwise`: in the second way, edges of a
+    /// relief as stairs, footholds in the style of the slope around them.
     pub(crate) fn of(
         ground: &WalkGround,
         leg: &LegGeometry,
         (usual, width): (f64, f64),
         levels: &[Step],
-        mirrored: bool,
+        [mirrored, otherwise]: [bool; 2],
     ) -> Result<Option<Self>, GaitError> {
         match ground {
             WalkGround::Level => Ok(None),
@@ -81,9 +82,13 @@ impl Terrain {
                 Self::on_slope(*slope, usual, levels).map(Some)
             }
             WalkGround::Stairs(stairs) => Self::on_stairs(stairs, leg, usual, levels).map(Some),
+            WalkGround::Relief(relief) if otherwise => {
+                let found = Self::over_edges(relief, leg, usual, levels);
+                found.map(Some).ok_or_else(|| PlanError::NoFoothold { step: 0, place: 0.0 }.into())
+            }
             WalkGround::Relief(relief) => Self::on_relief(relief, leg, usual, levels).map(Some),
             WalkGround::Footholds(footholds) => {
-                Self::on_footholds(footholds, leg, (usual, width), mirrored).map(Some)
+                Self::on_footholds(footholds, leg, (usual, width), [mirrored, otherwise]).map(Some)
             }
         }
     }
@@ -131,7 +136,7 @@ impl Terrain {
             z += length;
             steps.push(Step { length, rise: if on_stairs { rise } else { 0.0 }, tilt: 0.0, ..*level });
             kinds.push(if on_stairs {
-                StepKind::Stairs(rise)
+                StepKind::Stairs { rise, tread }
             } else {
                 StepKind::Slope(0.0, length.min(usual))
             });
@@ -213,11 +218,11 @@ fn fit_last(relief: &Relief, length: f64, places: &mut Vec<(f64, Foothold)>) -> 
 
 /// A place for a foot.
 #[derive(Clone, Copy, Debug)]
-struct Foothold {
+pub(super) struct Foothold {
     /// Height at the heel (m), on the line that the sole lies on.
-    height: f64,
+    pub(super) height: f64,
     /// Pitch of that line (rad).
-    tilt: f64,
+    pub(super) tilt: f64,
     /// The most by which the ground stands above it and lies below it (m).
     above: f64,
     below: f64,
@@ -227,7 +232,7 @@ struct Foothold {
 
 impl Foothold {
     /// With the heel at `z`, for a sole of this length (m).
-    fn at(relief: &Relief, z: f64, length: f64) -> Self {
+    pub(super) fn at(relief: &Relief, z: f64, length: f64) -> Self {
         let heel = relief.height(z);
         let mut tilt = 0.0;
         // The sole is as long on a slope, too.
@@ -256,7 +261,7 @@ impl Foothold {
         Self { height: heel, tilt, above, below, blocked }
     }
 
-    fn holds(&self) -> bool {
+    pub(super) fn holds(&self) -> bool {
         !self.is_rough() && self.tilt.abs() <= STEEPEST_PRINT
     }
 
