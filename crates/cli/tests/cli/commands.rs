@@ -71,14 +71,12 @@ solaris walk --steps 3 --rate 30 -o dance.bvh";
 
 #[test]
 fn of_bodies() {
-    assert_eq!(run("docs/bodies.md", SUBJECT), 14);
+    assert_eq!(run("docs/bodies.md", SUBJECT), 15);
 }
 
 #[test]
 fn of_the_ground() {
-    let given =
-        [SUBJECT, "solaris convert dance.bvh dancer.ron", "solaris convert dance.bvh dance.csv"].join("\n");
-    assert_eq!(run("docs/ground.md", &given), 3);
+    assert_eq!(run("docs/ground.md", &[SUBJECT, "cp fixtures/clips/dance* ."].join("\n")), 3);
 }
 
 #[test]
@@ -86,7 +84,7 @@ fn of_markers() {
     let given = "cp fixtures/markers/static.trc .
 cp fixtures/markers/leg.osim generic.osim
 cp fixtures/markers/swing.trc walk.trc";
-    assert_eq!(run("docs/markers.md", given), 3);
+    assert_eq!(run("docs/markers.md", given), 2);
 }
 
 #[test]
