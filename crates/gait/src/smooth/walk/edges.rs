@@ -137,6 +137,13 @@ impl<'a> Places<'a> {
         (0..count).map(|i| self.levels[made + i].length * gains(i).min(loses(i))).collect()
     }
 
+    /// Level steps of these lengths, each so many times as long.
+    fn go(&mut self, lengths: &[f64], by: f64) {
+        for length in lengths {
+            self.push(self.last() + by * length, None);
+        }
+    }
+
     /// Goes on by level steps to `to`: as many as come nearest to what they would be. `None` where none fit, or where there are not so many left.
     fn fill(&mut self, to: f64, before: [f64; LEAD]) -> Option<()> {
         let distance = to - self.last();
@@ -152,7 +159,7 @@ impl<'a> Places<'a> {
         let (lengths, by) = fitted
             .filter(|(_, by)| (FITTED.0..=FITTED.1).contains(by))
             .min_by(|(_, a), (_, b)| a.ln().abs().total_cmp(&b.ln().abs()))?;
-        lengths.iter().for_each(|length| self.push(self.last() + by * length, None));
+        self.go(&lengths, by);
         Some(())
     }
 
@@ -160,7 +167,7 @@ impl<'a> Places<'a> {
     fn finish(&mut self, to: f64) -> Option<()> {
         let lengths = self.lengths(self.levels.len() - self.over.len(), [1.0; LEAD]);
         let by = ((to - self.last()) / lengths.iter().sum::<f64>().max(1e-9)).min(1.0);
-        lengths.iter().for_each(|length| self.push(self.last() + by * length, None));
+        self.go(&lengths, by);
         (by >= FITTED.0).then_some(())
     }
 }
@@ -202,7 +209,10 @@ mod tests {
 
     const SOLE: f64 = 0.26;
 
-    fn places(points: &[[f64; 2]], steps: usize) -> Option<(Vec<f64>, Vec<bool>, Vec<(f64, f64)>)> {
+    /// Places of the heels, which steps go over an edge, and the prints.
+    type Gone = (Vec<f64>, Vec<bool>, Vec<(f64, f64)>);
+
+    fn places(points: &[[f64; 2]], steps: usize) -> Option<Gone> {
         let relief = Relief::new(points.to_vec()).expect("a relief");
         let levels = vec![Step::along_an_arc(0, 0.6, 0.0); steps];
         let places = Places::over(&edges(&relief, ALONE[0])?, SOLE, &levels)?;

@@ -116,10 +116,8 @@ impl Grounded {
         let swings = (0..n + 2)
             .map(|k| {
                 let (to, from) = (k.min(n), k.saturating_sub(2).min(n));
-                let stairs = [into(k.saturating_sub(1)), into(k)].into_iter().find_map(|kind| match kind {
-                    StepKind::Stairs { .. } => Some(kind),
-                    StepKind::Slope(..) => None,
-                });
+                let is_stair = |kind: &StepKind| matches!(kind, StepKind::Stairs { .. });
+                let stairs = [into(k.saturating_sub(1)), into(k)].into_iter().find(is_stair);
                 let stair = stairs.filter(|_| k >= 1 && k <= n);
                 let slope =
                     (places[to][1] - places[from][1]).atan2((places[to][0] - places[from][0]).max(0.05));
@@ -130,8 +128,7 @@ impl Grounded {
                         0.5 * (length(Some(&into(k))) + length(Some(&into(k.saturating_sub(1))))),
                     ))?,
                 };
-                let stepped =
-                    [into(k.saturating_sub(1)), into(k)].map(|kind| matches!(kind, StepKind::Stairs { .. }));
+                let stepped = [into(k.saturating_sub(1)), into(k)].map(|kind| is_stair(&kind));
                 let passings = style.stairs.map_or_else(Vec::new, |stairs| {
                     let at = [from, k.saturating_sub(1), k].map(|k| places[k.min(n)]);
                     passings(&stairs, stepped, at, style.step_length, body)
