@@ -6,6 +6,8 @@ import fnmatch
 import html
 from typing import Any, Optional, Sequence
 
+from .errors import ArgumentError
+
 #: Whose names a plot without names draws at most.
 _MOST = 6
 
@@ -22,9 +24,9 @@ def plot(motion: Any, names: Sequence[str], of: str, axes: Optional[Any]) -> Any
     """Columns of a motion over time; see ``Motion.plot``."""
     numbers = {"q": motion.q, "v": motion.v, "a": motion.a, "tau": motion.tau}
     if of not in numbers:
-        raise ValueError(f"of is '{of}'; it must be 'q', 'v', 'a' or 'tau'")
+        raise ArgumentError(f"of is '{of}'; it must be 'q', 'v', 'a' or 'tau'", "of")
     if numbers[of] is None:
-        raise ValueError(f"of is '{of}', which is not known of this motion")
+        raise ArgumentError(f"of is '{of}', which is not known of this motion", "of")
     known = motion.figure.q_names if of == "q" else motion.figure.v_names
     chosen = [i for name in names for i in _found(name, known)] if names else list(range(len(known)))[:_MOST]
     try:
@@ -47,5 +49,5 @@ def _found(name: str, known: Sequence[str]) -> list[int]:
     if not found:
         near = __import__("difflib").get_close_matches(name, known, 1)
         hint = f"; did you mean '{near[0]}'?" if near else ""
-        raise ValueError(f"there is no column '{name}'{hint}")
+        raise ArgumentError(f"there is no column '{name}'{hint}", "columns")
     return found

@@ -157,16 +157,21 @@ def make(
 ) -> list[Path]:
     """Writes a dataset, or goes on with one, and gives the paths of its parts. Another plan in the same folder is refused."""
     if people < 1 or part_size < 1:
-        raise ValueError(f"people is {people} and part_size {part_size}; both must be at least 1")
+        raise solaris.ArgumentError(f"people is {people} and part_size {part_size}; both must be at least 1")
     if seed < 0 or steps < 1 or (frames is not None and not 0.0 < frames < float("inf")):
-        raise ValueError(f"seed is {seed}, steps {steps} and frames {frames}; they must be at least 0, at least 1 and above 0 or left out")
+        raise solaris.ArgumentError(f"seed is {seed}, steps {steps} and frames {frames}; they must be at least 0, at least 1 and above 0 or left out")
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     plan: dict[str, Any] = {"people": people, "seed": seed, "steps": steps, "frames": frames, "part": part_size}
+    # Rows of two versions are no one dataset.
+    plan["solaris"] = solaris.__version__
     # Begins as what readers of whole folders leave out.
     said = folder / "_plan.json"
     if said.exists() and _read(said) != plan:
-        raise ValueError(f"{said} is of another dataset: {said.read_text().strip()}; name another folder, or ask for the same")
+        raise solaris.FileError(
+            f"{said} is of another dataset: {said.read_text().strip()}; name another folder, or ask for the same with the same version",
+            str(said),
+        )
     beside = said.with_name(f".plan-{os.getpid()}.json")
     beside.write_text(json.dumps(plan) + "\n")
     beside.replace(said)
@@ -188,7 +193,7 @@ def _read(plan: Path) -> Any:
     try:
         return json.loads(plan.read_text())
     except ValueError:
-        raise ValueError(f"{plan} is no plan of a dataset; name another folder, or delete it if its parts are of this very command") from None
+        raise solaris.FileError(f"{plan} is no plan of a dataset; name another folder, or delete it if its parts are of this very command", str(plan)) from None
 
 
 def _main(arguments: Optional[Sequence[str]] = None) -> int:

@@ -60,10 +60,10 @@ def read(path: os.PathLike[str] | str) -> dict[str, list[str]]:
     unknown = [name for name in names if name not in COLUMNS]
     if unknown or not {"trial", "model"} <= set(names):
         known = ", ".join(COLUMNS)
-        raise ValueError(f"{path}: the first line names its columns; {unknown or names} are not or not enough of {known}")
+        raise solaris.FileError(f"{path}: the first line names its columns; {unknown or names} are not or not enough of {known}", str(path))
     for number, row in enumerate(rows, 2):
         if len(row) != len(names):
-            raise ValueError(f"{path}, line {number}: it has {len(row)} fields, the header has {len(names)}")
+            raise solaris.FileError(f"{path}, line {number}: it has {len(row)} fields, the header has {len(names)}", str(path))
     table = {name: [row[at].strip() for row in rows] for at, name in enumerate(names)}
     for name in set(PATHS) & set(names):
         table[name] = [str(Path(path).parent / field) if field else "" for field in table[name]]
@@ -73,7 +73,7 @@ def read(path: os.PathLike[str] | str) -> dict[str, list[str]]:
         # Names that differ in their letters' case are one file on some disks.
         other = taken.setdefault(file_name.lower(), index)
         if other != index:
-            raise ValueError(f"{path}: trials '{table['trial'][other]}' and '{trial}' would be one file, {file_name}")
+            raise solaris.FileError(f"{path}: trials '{table['trial'][other]}' and '{trial}' would be one file, {file_name}", str(path))
     return table
 
 
