@@ -60,7 +60,7 @@ impl Dynamics {
             let names = self.figure.links().iter().map(model::Link::name);
             let hint = model::nearest(name, names)
                 .map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
-            errors::plain("DynamicsError")(&format!("the figure has no link called '{name}'{hint}"))
+            errors::argument("external", format!("the figure has no link called '{name}'{hint}"))
         })
     }
 
@@ -228,7 +228,7 @@ const SMALL: usize = 100;
 fn one(q: &States<'_>) -> PyResult<()> {
     match q.rows {
         None => Ok(()),
-        Some(_) => Err(value("this takes one state at a time: give q as a vector")),
+        Some(_) => Err(argument("q", "this takes one state at a time: give q as a vector")),
     }
 }
 

@@ -102,6 +102,12 @@ pub(crate) fn of_path(path: &std::path::Path, message: &str) -> PyErr {
     with("FileError", &message, |_, fields| fields.set_item("path", path.display().to_string()))
 }
 
+/// A table that is no motion of a figure.
+pub(crate) fn of_table(path: &std::path::Path, error: &dyn Display) -> PyErr {
+    let shown = path.display().to_string();
+    with("MotionError", &format!("{shown}: {error}"), |_, fields| fields.set_item("path", &shown))
+}
+
 /// A figure that cannot be; its faults have no place, for they are of no text.
 pub(crate) fn figure(error: FigureError) -> PyErr {
     with("FigureError", &error, |py, fields| {

@@ -41,7 +41,7 @@ pub(crate) fn read_motion(py: Python<'_>, figure: &Figure, path: PathBuf) -> PyR
         let (table, _) = files::motion(&path, &body.figure).map_err(errors::file("MotionError"))?;
         record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
             .map(|read| read.motion)
-            .map_err(|error| errors::plain("MotionError")(&format!("{}: {error}", path.display())))
+            .map_err(|error| errors::of_table(&path, &error))
     })?;
     Ok(Motion::new(figure, read, String::new()))
 }

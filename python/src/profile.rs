@@ -88,19 +88,25 @@ impl Profile {
         let known = Kind::named(kind).ok_or_else(|| {
             let near = nearest(kind, profiles::Profile::KINDS.iter().map(|known| known.name));
             let hint = near.map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
-            value(format!("there is no profile '{kind}'{hint} Profile.kinds() lists them"))
+            argument("kind", format!("there is no profile '{kind}'{hint} Profile.kinds() lists them"))
         })?;
         let given = parameters.unwrap_or_default();
         let names: Vec<String> = known.parameters().map(keyword).collect();
         if let Some(name) = given.keys().find(|name| !names.contains(name)) {
             let names = names.join(", ");
-            return Err(value(format!("profile '{kind}' has no parameter '{name}'; it has {names}")));
+            return Err(argument(
+                name,
+                format!("profile '{kind}' has no parameter '{name}'; it has {names}"),
+            ));
         }
         if keys.is_some() && !known.has_keys() {
-            return Err(value(format!("profile '{kind}' does not go through keys")));
+            return Err(argument("keys", format!("profile '{kind}' does not go through keys")));
         }
         if known.has_keys() && keys.is_none() {
-            return Err(value(format!("profile '{kind}' needs its keys: pairs of a time and a position")));
+            return Err(argument(
+                "keys",
+                format!("profile '{kind}' needs its keys: pairs of a time and a position"),
+            ));
         }
         let profile =
             known.profile(|parameter| given.get(&keyword(parameter)).copied(), keys.unwrap_or_default());

@@ -91,7 +91,7 @@ impl Running {
         names.iter().position(|known| known == name).or_else(only).ok_or_else(|| {
             let near = nearest(name, names.iter().map(String::as_str));
             let hint = near.map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
-            value(format!("the figure has no degree of freedom '{name}'{hint}"))
+            argument("name", format!("the figure has no degree of freedom '{name}'{hint}"))
         })
     }
 }

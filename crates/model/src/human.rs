@@ -122,14 +122,17 @@ pub enum HumanError {
 }
 
 impl HumanError {
-    /// Which number is out of its range, where one is: its name, itself and its least and greatest value, their unit.
+    /// Which number is out of its range, where one is: its name, itself and its least and greatest value, their unit. A load in a hand that there
+    /// is not is out of none.
     ///
     /// ```
     /// let error = solaris_model::human(9.0, 70.0).unwrap_err();
     /// assert_eq!(error.range(), Some(("height", [9.0, 0.8, 2.3], "m")));
+    /// let third = solaris_model::Human::new(1.65, 58.0).load("middle", 1.0).build().unwrap_err();
+    /// assert_eq!(third.range(), None);
     /// ```
     pub fn range(&self) -> Option<(&'static str, [f64; 3], &'static str)> {
-        match *self {
+        let found = match *self {
             Self::Height { height } => Some(("height", [height, HEIGHT.0, HEIGHT.1], "m")),
             Self::Mass { mass, lower, upper, .. } => Some(("mass", [mass, lower, upper], "kg")),
             Self::SegmentLength { length, lower, upper, .. } => {
@@ -139,7 +142,8 @@ impl HumanError {
             Self::Load { load, mass, .. } => Some(("load", [load, 0.0, MOST_LOAD * mass], "kg")),
             Self::ShorterLeg { by, most, .. } => Some(("shorter leg", [by, 0.0, most], "m")),
             _ => None,
-        }
+        };
+        found.filter(|(_, [value, lower, upper], _)| !(lower..=upper).contains(&value))
     }
 }
 

@@ -39,7 +39,8 @@ class SolarisError(ValueError):
 
 
 class ArgumentError(SolarisError):
-    """An argument of another shape, or that is none of those that there are; ``argument`` is its name, empty where several do not fit.
+    """An argument of another shape, or that is none of those that there are; ``argument`` is its name, empty where several do not fit
+    or the message alone says which.
 
     >>> import numpy, solaris
     >>> ann = solaris.human(1.65, 58.0)

@@ -84,7 +84,7 @@ proptest! {
         let expected = Uicker::new(&figure, &q).forces(&GRAVITY, &v, &a);
         prop_assert!(oracle.error_of(&expected, &[]) < 1e-12, "{expected:?}");
         for tau in solve(&figure, GRAVITY, [&q, &v, &a], &[]) {
-            prop_assert!(oracle.error_of(&tau, &[]) < 1e-12, "{tau:?}, not {expected:?}");
+            prop_assert!(oracle.error_of(&tau, &[]) < 1e-12, "{tau:?}; by his sums {expected:?}");
         }
     }
 }

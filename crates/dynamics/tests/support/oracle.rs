@@ -86,6 +86,7 @@ impl Oracle {
         });
         let (scale, expected) = (terms.fold(0.0, f64::max), self.inverse_dynamics(external));
         assert_eq!(found.len(), expected.len(), "lengths");
+        assert!(scale.is_finite(), "{scale}");
         let differences: Vec<f64> =
             found.iter().zip(expected).map(|(found, expected)| found - expected).collect();
         assert!(differences.iter().all(|difference| difference.is_finite()), "not finite: {found:?}");

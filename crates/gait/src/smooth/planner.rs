@@ -62,7 +62,13 @@ impl<'a> Planner<'a> {
                 let other = OTHER_STEPS.iter().filter(|_| may_step_otherwise(request));
                 let other: Vec<Route> =
                     other.map(|part| route.with_step_length(part * usual, usize::MAX)).collect();
-                let otherwise = std::iter::once(&route).chain(&other).map(Route::otherwise);
+                // Footholds stay where they are; over edges feet are set down elsewhere.
+                let otherwise = std::iter::once(&route)
+                    .filter(|_| {
+                        may_step_otherwise(request) || !matches!(request.ground, WalkGround::Relief(_))
+                    })
+                    .chain(&other)
+                    .map(Route::otherwise);
                 let mut plans = other
                     .iter()
                     .cloned()

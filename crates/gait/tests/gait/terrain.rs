@@ -108,6 +108,32 @@ fn kerbs() {
     for height in [-0.10, -0.05, 0.05, 0.10] {
         judge(&format!("kerb of {height} m"), &ann, &request(relief(&[[2.0, 0.0], [2.0, height]]), 100.0));
     }
+    for (height, step_frequency) in [
+        (-0.19, 100.0),
+        (-0.15, 75.0),
+        (-0.10, 70.0),
+        (0.10, 70.0),
+        (0.10, 90.0),
+        (0.15, 110.0),
+        (0.19, 100.0),
+    ] {
+        let asked = request(relief(&[[2.0, 0.0], [2.0, height]]), step_frequency);
+        judge_loaded(&format!("kerb of {height} m at {step_frequency}"), &ann, &asked, 165.0);
+    }
+}
+
+#[test]
+fn who_asks_for_a_distance_or_a_step_length_gets_no_other() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let kerb = request(relief(&[[2.0, 0.0], [2.0, 0.15]]), 90.0);
+    assert!(walk(&ann, &kerb).is_ok());
+    for asked in [
+        WalkRequest { extent: Extent::Distance(8.0), ..kerb.clone() },
+        WalkRequest { step_length: Some(0.6), ..kerb.clone() },
+        WalkRequest { speed: Some(0.9), step_frequency: None, ..kerb.clone() },
+    ] {
+        assert!(walk(&ann, &asked).is_err(), "{asked:?}");
+    }
 }
 
 #[test]

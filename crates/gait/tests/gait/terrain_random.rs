@@ -68,7 +68,7 @@ fn ground_by_chance_is_walked_over_or_refused_by_what_is_wrong() {
     assert!(walked >= LEAST, "{walked} of {PROFILES} were walked over");
 }
 
-/// A kerb, a pavement that is left again, two kerbs in a row, or a flight of up to five uneven stairs: edges of 6 to 20 cm, up or down.
+/// A kerb, a pavement that is left again, two kerbs in a row, or a flight of two to five uneven stairs: edges of 5 to 20 cm, up or down.
 fn edges(number: u32) -> Relief {
     let mut chance = Chance(u64::from(number) + 901);
     for _ in 0..4 {

@@ -1,7 +1,7 @@
 //! Kerbs and steps of ground of any shape, gone over as stairs are: a short step over each edge, level steps that are fitted between them.
 
 use super::course::Step;
-use super::terrain::{AFTER_STAIRS, BEFORE_DOWN, BEFORE_UP, Foothold, LEAD, StepKind, Terrain};
+use super::terrain::{AFTER_STAIRS, BEFORE_DOWN, BEFORE_UP, EDGE, Foothold, LEAD, StepKind, Terrain};
 use crate::body::LegGeometry;
 use crate::error::RequestError;
 use crate::smooth::stair_numbers::nosing;
@@ -20,6 +20,8 @@ const STOPS_BEFORE: f64 = 0.1;
 const FITTED: (f64, f64) = (0.72, 1.15);
 /// What counts as level beside an edge (m).
 const LEVEL: f64 = 2e-3;
+/// What numbers of a file may miss by rounding (m).
+const ROUNDING: f64 = 1e-9;
 
 /// An edge: where it is, how far the ground rises there, and the tread that it is gone over with (m).
 #[derive(Clone, Copy, Debug)]
@@ -32,20 +34,23 @@ struct Edge {
 /// The edges of a relief ahead, if they can be gone over as stairs; those alone with a tread of that depth.
 fn edges(relief: &Relief, alone: f64) -> Option<Vec<Edge>> {
     let mut found: Vec<(f64, f64, f64)> = Vec::new();
+    let is_narrow = |from: f64, to: f64| to - from <= WIDEST + ROUNDING;
     for pair in relief.points().windows(2) {
         let ([from, below], [to, above]) = (pair[0], pair[1]);
-        if to <= 0.0 || to - from > WIDEST || (above - below).abs() < 1e-9 {
+        if to <= 0.0 || !is_narrow(from, to) || (above - below).abs() <= LEVEL {
             continue;
         }
         match found.last_mut() {
             // Of several pieces.
-            Some((_, end, rise)) if from - *end < 1e-9 => (*end, *rise) = (to, *rise + above - below),
+            Some((first, end, rise)) if from - *end < ROUNDING && is_narrow(*first, to) => {
+                (*end, *rise) = (to, *rise + above - below);
+            }
             _ => found.push((from, to, above - below)),
         }
     }
-    found.retain(|(_, _, rise)| rise.abs() >= LOWEST);
+    found.retain(|(_, _, rise)| rise.abs() >= LOWEST - ROUNDING);
     let ((_, highest), (narrowest, widest)) = STAIRS;
-    if found.is_empty() || found.iter().any(|(_, _, rise)| rise.abs() > highest + 1e-9) {
+    if found.is_empty() || found.iter().any(|(_, _, rise)| rise.abs() > highest + ROUNDING) {
         return None;
     }
     // The upper end is where a tread's nosing is.
@@ -58,7 +63,7 @@ fn edges(relief: &Relief, alone: f64) -> Option<Vec<Edge>> {
     let stair = |(k, edge): (usize, &Edge)| {
         let beside = if edge.rise > 0.0 { k.checked_sub(1) } else { Some(k + 1) };
         let gap = beside.and_then(|k| found.get(k)).map(|other| (other.at - edge.at).abs());
-        let tread = gap.filter(|gap| (narrowest - 1e-9..=widest + 1e-9).contains(gap));
+        let tread = gap.filter(|gap| (narrowest - ROUNDING..=widest + ROUNDING).contains(gap));
         Edge { tread: tread.unwrap_or(alone), ..*edge }
     };
     Some(found.iter().enumerate().map(stair).collect())
@@ -109,9 +114,12 @@ impl<'a> Places<'a> {
             let overhangs = |(rise, tread): (f64, f64)| nosing(rise, tread, sole);
             let from = into.filter(|(rise, _)| *rise > 0.0).map_or(0.0, overhangs);
             let to = out.filter(|(rise, _)| *rise < 0.0).map_or(sole, overhangs);
-            let under = |i: i32| relief.height(z + from + (to - from) * (0.001 + 0.998 * f64::from(i) / 8.0));
-            let height = under(4);
-            (0..=8).all(|i| (under(i) - height).abs() <= LEVEL).then_some((height, 0.0))
+            let (from, to) = (z + from + EDGE, z + to - EDGE);
+            let height = relief.height(0.5 * (from + to));
+            let is_level = |y: f64| (y - height).abs() <= LEVEL;
+            let inside = relief.points().iter().filter(|point| (from..=to).contains(&point[0]));
+            let level = [from, to].map(|z| relief.height(z)).into_iter().chain(inside.map(|point| point[1]));
+            level.into_iter().all(is_level).then_some((height, 0.0))
         };
         self.at.iter().enumerate().map(print).collect()
     }
@@ -232,6 +240,18 @@ mod tests {
     }
 
     #[test]
+    fn measured_ground_is_climbed_too() {
+        // A kerb of 2 cm's width, in points 1 cm apart that are uneven by some hundredths of a millimetre.
+        let noise = |i: u32| 1e-5 * f64::from(i * 7 % 5);
+        let measured: Vec<[f64; 2]> = (0..600)
+            .map(|i| [0.01 * f64::from(i), (0.075 * (f64::from(i) - 200.0)).clamp(0.0, 0.15) + noise(i)])
+            .collect();
+        let (at, over, _) = places(&measured, 8).expect("it is climbed");
+        let k = over.iter().position(|over| *over).expect("a step over it");
+        assert!((at[k + 1] - 2.0).abs() < 1e-6, "{at:?}");
+    }
+
+    #[test]
     fn edges_that_follow_each_other_are_stairs() {
         let stairs = [[2.0, 0.0], [2.0, -0.1], [2.3, -0.1], [2.3, -0.2], [2.58, -0.2], [2.58, -0.3]];
         let (at, over, _) = places(&stairs, 12).expect("they are climbed");
@@ -245,9 +265,16 @@ mod tests {
     #[test]
     fn what_cannot_be_climbed_is_left() {
         // Too high, too low to be one, none; too few steps for the way, and for what comes after it.
-        for points in [[[2.0, 0.0], [2.0, 0.3]], [[2.0, 0.0], [2.0, 0.03]], [[2.0, 0.0], [2.5, 0.1]]] {
+        for points in [[[2.0, 0.0], [2.0, 0.3]], [[2.0, 0.0], [2.0, 0.03]], [[2.0, 0.0], [2.03, 0.1]]] {
             assert!(places(&points, 8).is_none(), "{points:?}");
         }
+        // A bar under the sole.
+        let bar = [[2.0, 0.0], [2.0, 0.15], [2.1, 0.15], [2.1, 0.18], [2.11, 0.18], [2.11, 0.15]];
+        assert!(places(&bar, 8).is_none());
+        // A slope in small pieces is a slope.
+        let slope: Vec<[f64; 2]> =
+            (0..=10).map(|i| [2.0 + 0.01 * f64::from(i), 0.015 * f64::from(i)]).collect();
+        assert!(places(&slope, 8).is_none());
         for steps in 1..5 {
             assert!(places(&[[2.0, 0.0], [2.0, 0.15]], steps).is_none(), "{steps} steps");
         }

@@ -46,7 +46,7 @@ pub(super) const AROUND: f64 = 3.0;
 const BUMP: f64 = 5e-4;
 const HOLLOW: f64 = 0.02;
 /// Edges so near to an end of the sole are under it (m).
-const EDGE: f64 = 1e-3;
+pub(super) const EDGE: f64 = 1e-3;
 /// So far before and behind a sole the ground may stand no more than so much above its line (m): feet swing low there.
 const CLEAR: (f64, f64) = (0.08, 0.03);
 /// So far behind a heel the ground may lie no more than so much below its line (m): it comes in low over the edge.
