@@ -152,6 +152,11 @@ def test_mujoco():
         assert np.allclose(pose[:3, 3], data.xpos[body], rtol=0, atol=1e-9)
         assert np.allclose(pose[:3, :3].ravel(), data.xmat[body], rtol=0, atol=1e-9)
         assert np.allclose(dynamics.center_of_mass(q), data.subtree_com[0], rtol=0, atol=1e-9)
+        # By differences, and transposed; what it leaves in `data` is a state beside this one.
+        by_q, by_v, by_a = (np.zeros((6, 6)) for _ in range(3))
+        mujoco.mjd_inverseFD(model, data, 1e-6, False, by_q, by_v, by_a, None, None, None, None)
+        for ours, theirs in zip(dynamics.inverse_derivatives(q, v, a)[1:], (by_q, by_v, by_a)):
+            assert np.allclose(ours, theirs.T, rtol=0, atol=1e-4 * max(1.0, abs(ours).max()))
 
 
 def best(run, rounds=5, calls=2000):
