@@ -60,7 +60,7 @@ impl Dynamics {
             let names = self.figure.links().iter().map(model::Link::name);
             let hint = model::nearest(name, names)
                 .map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
-            errors::argument("external", format!("the figure has no link called '{name}'{hint}"))
+            errors::no_link(name, &format!("the figure has no link called '{name}'{hint}"))
         })
     }
 

@@ -144,6 +144,14 @@ pub(crate) fn dynamics(error: DynamicsError) -> PyErr {
     })
 }
 
+/// A wrench on a link that there is not.
+pub(crate) fn no_link(name: &str, message: &dyn Display) -> PyErr {
+    with("DynamicsError", message, |_, fields| {
+        fields.set_item("argument", "external")?;
+        fields.set_item("name", name)
+    })
+}
+
 /// Refusals of a batch: the rows are a field.
 pub(crate) fn batch(error: BatchError) -> PyErr {
     let rows = match &error {

@@ -53,6 +53,9 @@ def test_the_kernel_names_what_it_refuses(ann):
     v[7] = np.nan
     error = refused(solaris.DynamicsError, lambda: solaris.Dynamics(ann).inverse(q, v, a))
     assert (error.argument, error.name, error.rows) == ("v", ann.v_names[7], [])
+    call = lambda: solaris.Dynamics(ann).inverse(*_state(ann), external={"left_fot": np.zeros(6)})
+    error = refused(solaris.DynamicsError, call)
+    assert (error.argument, error.name) == ("external", "left_fot")
 
 
 @pytest.mark.parametrize(
