@@ -13,9 +13,9 @@ use solaris_model::Figure;
 
 /// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
 const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
-/// Whether there is a second way to go over the ground of a walk.
+/// Whether there is a second way to go over the ground of a walk: one between footholds, and one over edges that sets feet down elsewhere.
 fn may_go_otherwise(request: &WalkRequest) -> bool {
-    matches!(request.ground, WalkGround::Relief(_) | WalkGround::Footholds(_))
+    matches!(request.ground, WalkGround::Footholds(_)) || may_step_otherwise(request)
 }
 
 /// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
@@ -62,13 +62,7 @@ impl<'a> Planner<'a> {
                 let other = OTHER_STEPS.iter().filter(|_| may_step_otherwise(request));
                 let other: Vec<Route> =
                     other.map(|part| route.with_step_length(part * usual, usize::MAX)).collect();
-                // Footholds stay where they are; over edges feet are set down elsewhere.
-                let otherwise = std::iter::once(&route)
-                    .filter(|_| {
-                        may_step_otherwise(request) || !matches!(request.ground, WalkGround::Relief(_))
-                    })
-                    .chain(&other)
-                    .map(Route::otherwise);
+                let otherwise = std::iter::once(&route).chain(&other).map(Route::otherwise);
                 let mut plans = other
                     .iter()
                     .cloned()
