@@ -8,6 +8,6 @@ mod range;
 mod request;
 mod stages;
 
-pub use made::Gait;
+pub use made::{DEFAULT_RATE, Gait};
 pub use options::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
 pub use stages::{Next, Staged, stages};

@@ -41,7 +41,9 @@ pub mod sweep;
 mod thesis;
 mod walking;
 
-pub use asked::{Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, Staged, StairOptions, stages};
+pub use asked::{
+    DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, Staged, StairOptions, stages,
+};
 pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
 pub use error::{

@@ -5,12 +5,12 @@ import { test } from "node:test";
 
 import init, { Dynamics, Figure, Walker, walk } from "./dist/solaris_web.js";
 import * as full from "./dist/full/solaris_web.js";
-import * as small from "./dist/walker/solaris_web.js";
+import * as lean from "./dist/lean/solaris_web.js";
 
 const wasm = (path) => readFileSync(new URL(`./dist/${path}solaris_web_bg.wasm`, import.meta.url));
 await init({ module_or_path: wasm("") });
 await full.default({ module_or_path: wasm("full/") });
-await small.default({ module_or_path: wasm("walker/") });
+await lean.default({ module_or_path: wasm("lean/") });
 const ann = Figure.human(1.65, 58);
 
 test("a walk is carried by the ground", () => {
@@ -70,12 +70,22 @@ test("a walker comes to a point, and a copy goes on alike", () => {
 });
 
 test("the smallest entry walks alike", () => {
-  const [one, other] = [new Walker(ann), new small.Walker(small.Figure.human(1.65, 58))];
+  const bea = lean.Figure.human(1.65, 58);
+  const [one, other] = [new Walker(ann), new lean.Walker(bea)];
   for (const walker of [one, other]) walker.go(0.3, 1.1);
   for (let frame = 0; frame < 300; frame++) assert.deepEqual(one.step(1 / 60), other.step(1 / 60));
+  for (const options of [{ steps: 5 }, { stepFrequency: 90, steps: 3, manner: "sad", then: [{ stand: 1 }, { steps: 2 }] }, { stairs: { count: 3 } }]) {
+    const [usual, small] = [walk(ann, options), lean.walk(bea, options)];
+    assert.deepEqual(small.q, usual.q);
+    assert.deepEqual(small.tau, usual.tau);
+    assert.deepEqual(small.contact("left_foot"), usual.contact("left_foot"));
+  }
+  assert.throws(() => lean.walk(bea, { gait: "run" }), /runs are in solaris-motion, not in/);
+  assert.throws(() => lean.walk(bea, { loop: "moving" }), /loops are in/);
+  assert.throws(() => lean.walk(bea, { determinants: 5 }), /determinants\) are in/);
   const text = ann.toText();
-  assert.equal(small.Figure.fromText(text).nv, ann.nv);
-  assert.throws(() => small.Figure.fromText("<robot/>", "urdf"), /with solaris-motion 'urdf'/);
+  assert.equal(lean.Figure.fromText(text).nv, ann.nv);
+  assert.throws(() => lean.Figure.fromText("<robot/>", "urdf"), /with solaris-motion 'urdf'/);
 });
 
 test("a body with its motion is a GLB", () => {
@@ -119,8 +129,17 @@ test("what is wrong is said", () => {
   const says = (what, message) => assert.throws(what, (error) => error instanceof Error && message.test(error.message));
   says(() => Figure.human(9, 70), /height 9 m/);
   says(() => walk(ann, { stepFrequency: 300 }), /60 to 130/);
-  says(() => walk(ann, { pase: 100 }), /unknown field `pase`, .*`stepFrequency`/);
+  says(() => walk(ann, { pase: 100 }), /the options: there is no 'pase'; .*stepFrequency/);
   says(() => walk(ann, { style: { armSwng: 5 } }), /did you mean arm-swing/);
+  says(() => walk(ann, { stepfrequency: 90 }), /did you mean 'stepFrequency'/);
+  says(() => walk(ann, { then: [{ steps: 2 }, { sped: 1 }] }), /then\[1\]: there is no 'sped'; did you mean 'speed'/);
+  says(() => walk(ann, { speed: "fast" }), /speed must be a number; it is 'fast'/);
+  says(() => walk(ann, { speed: NaN }), /speed .*NaN/);
+  says(() => walk(ann, { steps: 2.5 }), /steps must be a whole number from 0 on; it is/);
+  says(() => walk(ann, { path: [[0, 1], [0]] }), /path\[1\] has 1 numbers; it must have 2: x, z/);
+  says(() => walk(ann, { ground: [[0, "a"]] }), /ground\[0\] must be a number; it is 'a'/);
+  says(() => walk(ann, { gait: "hop" }), /gait must be 'walk' or 'run'; it is 'hop'/);
+  says(() => walk(ann, "fast"), /the options must be a plain object; it is 'fast'/);
   says(() => walk(ann, { steps: 4, distance: 2 }), /steps and distance are both given/);
   says(() => Figure.fromText("Figure(nam: 1)"), /did you mean 'name'/);
   says(() => Figure.fromText("<OpenSimDocument/>", "osim"), /solaris-motion\/full/);

@@ -1,7 +1,7 @@
 // Compiled and never run: what the package's types let a program say, and what they refuse.
 import init, { Dynamics, Figure, type Motion, Walker, walk, type WalkOptions } from "solaris-motion";
 import * as full from "solaris-motion/full";
-import * as small from "solaris-motion/walker";
+import * as lean from "solaris-motion/lean";
 
 await init();
 const ann: Figure = Figure.human(1.65, 58);
@@ -12,7 +12,8 @@ const table: string = motion.toCsv();
 const body: Uint8Array = full.run(table).toGlb();
 const walker = new Walker(ann);
 walker.goTo(1, 2, 1.2);
-const pose: Float64Array = new small.Walker(small.Figure.human(1.8, 80, undefined)).step(1 / 60);
+const pose: Float64Array = new lean.Walker(lean.Figure.human(1.8, 80, undefined)).step(1 / 60);
+const q: Float64Array = lean.walk(lean.Figure.human(1.8, 80), { speed: 1.2 }).q;
 
 // @ts-expect-error: there is no such option.
 walk(ann, { pase: 100 });
@@ -20,9 +21,9 @@ walk(ann, { pase: 100 });
 walk(ann, { steps: "6" });
 // @ts-expect-error: it is one of two.
 walk(ann, { loop: "round" });
-// @ts-expect-error: planned walks are in the larger entries.
-small.walk(ann);
+// @ts-expect-error: tables are in the larger entries.
+lean.walk(lean.Figure.human(1.8, 80)).toCsv();
 // @ts-expect-error: so are bodies.
 motion.toGlb();
 
-export { body, pose, tau };
+export { body, pose, q, tau };

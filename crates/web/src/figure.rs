@@ -1,7 +1,7 @@
 //! Figures.
 
 use crate::failed;
-#[cfg(feature = "walks")]
+#[cfg(feature = "usual")]
 use solaris::io::{Import, mjcf, urdf};
 #[cfg(feature = "full")]
 use solaris::io::{opensim, sdf};
@@ -11,7 +11,7 @@ use wasm_bindgen::prelude::*;
 /// What texts of figures can be, by entry.
 const FORMATS: &str = if cfg!(feature = "full") {
     "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'"
-} else if cfg!(feature = "walks") {
+} else if cfg!(feature = "usual") {
     "'ron', 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
 } else {
     "'ron', or with solaris-motion 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
@@ -45,7 +45,7 @@ impl Figure {
     }
 }
 
-#[cfg(feature = "walks")]
+#[cfg(feature = "usual")]
 impl Figure {
     /// A model of another program.
     fn read(import: Import) -> Result<Self, JsError> {
@@ -66,14 +66,14 @@ impl Figure {
     }
 
     /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"` or `"mjcf"`; with the entry `solaris-motion/full` also `"osim"` or `"sdf"`;
-    /// with `solaris-motion/walker` only `"ron"`.
+    /// with `solaris-motion/lean` only `"ron"`.
     #[wasm_bindgen(js_name = fromText)]
     pub fn from_text(source: &str, format: Option<String>) -> Result<Figure, JsError> {
         match format.as_deref().unwrap_or("ron") {
             "ron" => text::read(source).map(Self::own).map_err(failed),
-            #[cfg(feature = "walks")]
+            #[cfg(feature = "usual")]
             "urdf" => urdf::read(source).map_err(failed).and_then(Self::read),
-            #[cfg(feature = "walks")]
+            #[cfg(feature = "usual")]
             "mjcf" => mjcf::read(source).map_err(failed).and_then(Self::read),
             #[cfg(feature = "full")]
             "osim" => opensim::read(source).map_err(failed).and_then(Self::read),

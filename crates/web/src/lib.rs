@@ -9,27 +9,22 @@
 
 mod dynamics;
 mod figure;
-#[cfg(feature = "walks")]
-mod keys;
-#[cfg(feature = "walks")]
 mod motion;
+mod options;
 #[cfg(feature = "full")]
 mod scene;
 #[cfg(feature = "studio")]
 mod studio;
-#[cfg(feature = "walks")]
 mod walk;
 mod walker;
 
 pub use dynamics::Dynamics;
 pub use figure::Figure;
-#[cfg(feature = "walks")]
 pub use motion::Motion;
 #[cfg(feature = "full")]
 pub use scene::run;
 #[cfg(feature = "studio")]
 pub use studio::*;
-#[cfg(feature = "walks")]
 pub use walk::{WalkOptions, walk};
 pub use walker::Walker;
 

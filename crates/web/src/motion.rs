@@ -1,14 +1,18 @@
 //! Motions.
 
+#[cfg(feature = "usual")]
 use crate::failed;
 use crate::figure::Figure;
-use js_sys::JSON;
 #[cfg(feature = "full")]
 use solaris::io::glb;
-use solaris::io::{bvh, csv};
 use solaris::model;
-use std::borrow::Cow;
 use wasm_bindgen::prelude::*;
+#[cfg(feature = "usual")]
+use {
+    js_sys::JSON,
+    solaris::io::{bvh, csv},
+    std::borrow::Cow,
+};
 
 /// A sampled motion, with what is known of its forces.
 #[wasm_bindgen]
@@ -16,11 +20,14 @@ pub struct Motion {
     pub(crate) figure: Figure,
     pub(crate) motion: model::Motion,
     /// JSON.
+    #[cfg(feature = "usual")]
     pub(crate) report: String,
     /// Whether its last sample is its first one again.
+    #[cfg(feature = "usual")]
     pub(crate) repeats: bool,
 }
 
+#[cfg(feature = "usual")]
 impl Motion {
     /// What is written frame after frame: a loop without its first frame a second time.
     fn frames(&self) -> Cow<'_, model::Motion> {
@@ -86,7 +93,11 @@ impl Motion {
             .flat_map(|at| [at.force, at.moment, at.cop].into_iter().flat_map(|v| [v.x, v.y, v.z]))
             .collect()
     }
+}
 
+#[cfg(feature = "usual")]
+#[wasm_bindgen]
+impl Motion {
     /// What was measured of it, or how it was found and how far it can be trusted.
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> Result<JsValue, JsError> {

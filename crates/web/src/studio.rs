@@ -21,10 +21,9 @@ pub use steered::Steered;
 
 use crate::failed;
 use crate::figure::Figure;
-use crate::keys::plain;
+use crate::options::gait_options;
 use crate::walk::WalkOptions;
 use serde_json::{Value, json};
-use solaris::gait::GaitOptions;
 use solaris::model::{AxisKind, Figure as Body, Ground, Motion, MotionInfo};
 use solaris::view::{PageOptions, PagePerson, page_data_without_skin, page_skin, page_skins};
 use std::cell::RefCell;
@@ -54,7 +53,7 @@ pub fn walk_range(
     options: Option<WalkOptions>,
     field: &str,
 ) -> Result<Option<Vec<f64>>, JsError> {
-    let options: GaitOptions = options.map_or(Ok(GaitOptions::default()), |options| plain(&options))?;
+    let options = gait_options(options)?;
     Ok(options.range_of(&figure.figure, field).map_err(failed)?.map(|range| range.to_vec()))
 }
 

@@ -1,9 +1,16 @@
 //! Walks and runs, by the fields of an object.
 
+#[cfg(not(feature = "usual"))]
+use {
+    solaris::analysis::{ReactionError, SupportLaw, ground_reactions},
+    solaris::gait::{FEET, StyledRequest, WalkSequence, walk_in_part},
+    solaris::model,
+};
+
 use crate::failed;
 use crate::figure::Figure;
-use crate::keys::plain;
 use crate::motion::Motion;
+use crate::options::gait_options;
 use solaris::gait::GaitOptions;
 use wasm_bindgen::prelude::*;
 
@@ -66,11 +73,50 @@ extern "C" {
     pub type WalkOptions;
 }
 
-/// Plans a walk or a run of a figure with the segments of a human, and finds the forces of the ground and of every joint.
+/// Plans a walk or a run of a figure with the segments of a human, and finds the forces of the ground and of every joint. Runs, walks through
+/// key postures and loops are in `solaris-motion`, not in `solaris-motion/lean`.
 #[wasm_bindgen]
 pub fn walk(figure: &Figure, options: Option<WalkOptions>) -> Result<Motion, JsError> {
-    let options: GaitOptions = options.map_or(Ok(GaitOptions::default()), |options| plain(&options))?;
+    made(figure, &gait_options(options)?)
+}
+
+#[cfg(feature = "usual")]
+fn made(figure: &Figure, options: &GaitOptions) -> Result<Motion, JsError> {
     let made = options.make(&figure.figure).map_err(failed)?;
     let report = serde_json::to_string(&made).map_err(failed)?;
     Ok(Motion { figure: figure.clone(), motion: made.motion, report, repeats: options.repeats.is_some() })
+}
+
+/// The same without what measures it, and without the code of what else can be planned.
+#[cfg(not(feature = "usual"))]
+fn made(figure: &Figure, options: &GaitOptions) -> Result<Motion, JsError> {
+    let body = &figure.figure;
+    let elsewhere = |what| failed(format!("{what} are in solaris-motion, not in solaris-motion/lean"));
+    if options.repeats.is_some() {
+        return Err(elsewhere("loops"));
+    }
+    let rate = options.rate.unwrap_or(solaris::gait::DEFAULT_RATE);
+    match options.request(body).map_err(failed)?.request {
+        StyledRequest::Smooth(request) => {
+            let (plan, _) = walk_in_part(body, &request).map_err(failed)?;
+            loaded(figure, plan.motion(body, rate), &plan)
+        }
+        StyledRequest::Sequence(walks) => {
+            let plan = WalkSequence::new(body, &walks).map_err(failed)?;
+            loaded(figure, plan.motion(body, rate), &plan)
+        }
+        StyledRequest::Thesis(_) => Err(elsewhere("walks through key postures (determinants)")),
+        StyledRequest::Run(_) => Err(elsewhere("runs")),
+    }
+}
+
+#[cfg(not(feature = "usual"))]
+fn loaded(
+    figure: &Figure,
+    motion: Result<model::Motion, ReactionError>,
+    law: &impl SupportLaw,
+) -> Result<Motion, JsError> {
+    let mut motion = motion.map_err(failed)?;
+    ground_reactions(&figure.figure, &mut motion, FEET, law).map_err(failed)?;
+    Ok(Motion { figure: figure.clone(), motion })
 }

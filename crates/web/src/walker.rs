@@ -89,7 +89,7 @@ impl Walker {
 
     /// In what the command was bent to what can be walked: `fast`, `aside`, `sharp`, `sudden`, `balance`.
     pub fn bent(&self) -> Vec<String> {
-        self.walker.bent().map(|bent| format!("{bent:?}").to_lowercase()).collect()
+        self.walker.bent().map(|bent| format!("{bent:?}").to_ascii_lowercase()).collect()
     }
 
     /// Goes on by `dt` (s, up to a quarter), and gives the configuration there.

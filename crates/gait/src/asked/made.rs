@@ -8,7 +8,7 @@ use crate::walking::on_the_spot;
 use solaris_model::{Figure, Motion};
 
 /// Samples a second where it is not said how many (1/s).
-const RATE: f64 = 120.0;
+pub const DEFAULT_RATE: f64 = 120.0;
 
 /// A walk or a run that was planned, with its forces and measures.
 ///
@@ -50,7 +50,7 @@ impl GaitOptions {
             Ok::<_, GaitError>(plan)
         };
         let mut plan = plan_of(&staged.request)?;
-        let rate = self.rate.unwrap_or(RATE);
+        let rate = self.rate.unwrap_or(DEFAULT_RATE);
         let asked = plan.step_frequency();
         if self.repeats.is_some()
             && self.rate.is_some()

@@ -1,0 +1,222 @@
+//! Plain objects of JavaScript, field by field: what is asked of walks and runs.
+
+use crate::failed;
+use crate::walk::WalkOptions;
+use js_sys::{Array, JsString, Object, Reflect};
+use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
+use solaris::model::nearest;
+use std::collections::BTreeMap;
+use wasm_bindgen::{JsCast, JsError, JsValue};
+
+/// Options of a walk or a run.
+pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, JsError> {
+    let Some(given) = given else { return Ok(GaitOptions::default()) };
+    let mut fields = Fields::new(&given, "the options")?;
+    let options = GaitOptions {
+        gait: fields.one_of("gait", [("walk", GaitKind::Walk), ("run", GaitKind::Run)])?.unwrap_or_default(),
+        determinants: fields.count("determinants")?,
+        step_frequency: fields.number("stepFrequency")?,
+        step_length: fields.number("stepLength")?,
+        speed: fields.number("speed")?,
+        steps: fields.count("steps")?,
+        distance: fields.number("distance")?,
+        turn: fields.number("turn")?.unwrap_or_default(),
+        backward: fields.flag("backward")?.unwrap_or_default(),
+        path: fields.list("path", |at, point| pair(at, "x, z", point))?,
+        then: fields.list("then", part)?.unwrap_or_default(),
+        slope: fields.number("slope")?,
+        stairs: fields.get("stairs", stairs)?,
+        ground: fields.list("ground", |at, point| pair(at, "z, height", point))?,
+        footholds: fields.list("footholds", numbers)?,
+        population: fields.text("population")?,
+        manner: fields.text("manner")?,
+        left: fields.text("left")?,
+        right: fields.text("right")?,
+        variability: fields.number("variability")?,
+        seed: fields.whole("seed")?.unwrap_or_default(),
+        style: fields.get("style", style)?.unwrap_or_default(),
+        left_first: fields.flag("leftFirst")?,
+        from_standing: fields.flag("fromStanding")?.unwrap_or_default(),
+        to_standing: fields.flag("toStanding")?.unwrap_or_default(),
+        repeats: fields.one_of("loop", [("moving", Repeats::Moving), ("in_place", Repeats::InPlace)])?,
+        rate: fields.number("rate")?,
+    };
+    fields.end()?;
+    Ok(options)
+}
+
+fn part(at: &str, given: JsValue) -> Result<PartOptions, JsError> {
+    let mut fields = Fields::new(&given, at)?;
+    let part = PartOptions {
+        steps: fields.count("steps")?,
+        distance: fields.number("distance")?,
+        stand: fields.number("stand")?,
+        step_frequency: fields.number("stepFrequency")?,
+        step_length: fields.number("stepLength")?,
+        speed: fields.number("speed")?,
+        turn: fields.number("turn")?.unwrap_or_default(),
+        backward: fields.flag("backward")?.unwrap_or_default(),
+    };
+    fields.end()?;
+    Ok(part)
+}
+
+fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
+    let mut fields = Fields::new(&given, at)?;
+    let stairs = StairOptions {
+        count: fields.count("count")?,
+        rise: fields.number("rise")?,
+        tread: fields.number("tread")?,
+    };
+    fields.end()?;
+    Ok(stairs)
+}
+
+/// Numbers of the style: `armSwing` there is `arm_swing` here.
+fn style(at: &str, given: JsValue) -> Result<BTreeMap<String, f64>, JsError> {
+    let one = |key: JsValue| {
+        let key = String::from(JsString::from(key));
+        let value = Reflect::get(&given, &key.as_str().into()).unwrap_or_default();
+        Ok((snaked(&key), number(&format!("{at}.{key}"), value)?))
+    };
+    keys(at, &given)?.iter().map(one).collect()
+}
+
+fn number(at: &str, given: JsValue) -> Result<f64, JsError> {
+    given.as_f64().ok_or_else(|| wrong(at, "a number", &given))
+}
+
+fn numbers(at: &str, given: JsValue) -> Result<Vec<f64>, JsError> {
+    items(at, &given)?.iter().map(|item| number(at, item)).collect()
+}
+
+fn pair(at: &str, of: &str, given: JsValue) -> Result<[f64; 2], JsError> {
+    let pair = numbers(at, given)?;
+    <[f64; 2]>::try_from(pair.as_slice())
+        .map_err(|_| failed(format!("{at} has {} numbers; it must have 2: {of}", pair.len())))
+}
+
+fn items(at: &str, given: &JsValue) -> Result<Array, JsError> {
+    if Array::is_array(given) { Ok(Array::from(given)) } else { Err(wrong(at, "an array", given)) }
+}
+
+fn keys(at: &str, given: &JsValue) -> Result<Array, JsError> {
+    match given.dyn_ref::<Object>() {
+        Some(object) if !Array::is_array(given) => Ok(Object::keys(object)),
+        _ => Err(wrong(at, "a plain object", given)),
+    }
+}
+
+fn wrong(at: &str, kind: &str, given: &JsValue) -> JsError {
+    let given = given.as_string().map_or_else(|| format!("{given:?}"), |text| format!("'{text}'"));
+    failed(format!("{at} must be {kind}; it is {given}"))
+}
+
+/// The fields of an object, each looked for by its name; what is null is not there.
+struct Fields<'a> {
+    of: &'a JsValue,
+    /// What the object is called.
+    name: &'a str,
+    /// Its fields.
+    given: Vec<String>,
+    /// Which were looked for.
+    known: Vec<&'static str>,
+}
+
+impl<'a> Fields<'a> {
+    fn new(of: &'a JsValue, name: &'a str) -> Result<Self, JsError> {
+        let given = keys(name, of)?.iter().map(|key| JsString::from(key).into()).collect();
+        Ok(Self { of, name, given, known: Vec::new() })
+    }
+
+    fn get<T>(
+        &mut self,
+        name: &'static str,
+        read: impl FnOnce(&str, JsValue) -> Result<T, JsError>,
+    ) -> Result<Option<T>, JsError> {
+        self.known.push(name);
+        let value = Reflect::get(self.of, &name.into()).unwrap_or_default();
+        if value.is_null() || value.is_undefined() {
+            return Ok(None);
+        }
+        read(name, value).map(Some)
+    }
+
+    fn number(&mut self, name: &'static str) -> Result<Option<f64>, JsError> {
+        self.get(name, number)
+    }
+
+    /// A whole number, of those that a number of JavaScript can be.
+    fn whole(&mut self, name: &'static str) -> Result<Option<u64>, JsError> {
+        const MOST: f64 = 9_007_199_254_740_991.0;
+        self.get(name, |at, value| match value.as_f64() {
+            Some(whole) if (0.0..=MOST).contains(&whole) && whole.fract() == 0.0 => Ok(whole as u64),
+            _ => Err(wrong(at, "a whole number from 0 on", &value)),
+        })
+    }
+
+    /// A number of things; more than an address can count are as many as that.
+    fn count(&mut self, name: &'static str) -> Result<Option<usize>, JsError> {
+        Ok(self.whole(name)?.map(|count| usize::try_from(count).unwrap_or(usize::MAX)))
+    }
+
+    fn flag(&mut self, name: &'static str) -> Result<Option<bool>, JsError> {
+        self.get(name, |at, value| value.as_bool().ok_or_else(|| wrong(at, "true or false", &value)))
+    }
+
+    fn text(&mut self, name: &'static str) -> Result<Option<String>, JsError> {
+        self.get(name, |at, value| value.as_string().ok_or_else(|| wrong(at, "a text", &value)))
+    }
+
+    fn one_of<T: Copy>(&mut self, name: &'static str, known: [(&str, T); 2]) -> Result<Option<T>, JsError> {
+        self.get(name, |at, value| {
+            let said = value.as_string();
+            let found = known.iter().find(|(word, _)| said.as_deref() == Some(word));
+            let [(one, _), (other, _)] = known;
+            found.map(|(_, found)| *found).ok_or_else(|| wrong(at, &format!("'{one}' or '{other}'"), &value))
+        })
+    }
+
+    fn list<T>(
+        &mut self,
+        name: &'static str,
+        read: impl Fn(&str, JsValue) -> Result<T, JsError>,
+    ) -> Result<Option<Vec<T>>, JsError> {
+        let one = |(i, item)| read(&format!("{name}[{i}]"), item);
+        self.get(name, |at, value| items(at, &value)?.iter().enumerate().map(one).collect())
+    }
+
+    /// Refuses a field that nobody looked for.
+    fn end(self) -> Result<(), JsError> {
+        let Some(other) = self.given.iter().find(|given| !self.known.contains(&given.as_str())) else {
+            return Ok(());
+        };
+        let near = nearest(other, self.known.iter().copied());
+        let near = near.map_or_else(String::new, |near| format!("did you mean '{near}'? "));
+        let known = self.known.join(", ");
+        Err(failed(format!("{}: there is no '{other}'; {near}known are {known}", self.name)))
+    }
+}
+
+/// A name with `_` where a capital letter was.
+fn snaked(key: &str) -> String {
+    let mut found = String::with_capacity(key.len() + 2);
+    for letter in key.chars() {
+        if letter.is_ascii_uppercase() {
+            found.push('_');
+        }
+        found.push(letter.to_ascii_lowercase());
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn capital_letters_are_words() {
+        assert_eq!(snaked("armSwing"), "arm_swing");
+        assert_eq!(snaked("arm-swing"), "arm-swing");
+    }
+}
