@@ -80,6 +80,7 @@ test("the smallest entry walks alike", () => {
     assert.deepEqual(small.tau, usual.tau);
     assert.deepEqual(small.contact("left_foot"), usual.contact("left_foot"));
   }
+  assert.throws(() => lean.walk(bea, { manner: "cautious", slope: -0.2 }), /of it holds/);
   assert.throws(() => lean.walk(bea, { gait: "run" }), /runs are in solaris-motion, not in/);
   assert.throws(() => lean.walk(bea, { loop: "moving" }), /loops are in/);
   assert.throws(() => lean.walk(bea, { determinants: 5 }), /determinants\) are in/);
@@ -125,6 +126,13 @@ test("the page's program runs", async () => {
   assert.equal(poses.length, 7 * ann.links.length);
 });
 
+test("options are read from any object", () => {
+  const usual = walk(ann, { stepFrequency: 100, steps: 3, style: { armSwing: 10 } }).q;
+  const bare = Object.assign(Object.create(null), { stepFrequency: 100, steps: 3, style: { armSwing: 10, pelvicTilt: undefined } });
+  assert.deepEqual(walk(ann, bare).q, usual);
+  assert.deepEqual(walk(ann, { step_frequency: 100, steps: 3, style: { "arm-swing": 10 }, speed: null, label: undefined }).q, usual);
+});
+
 test("what is wrong is said", () => {
   const says = (what, message) => assert.throws(what, (error) => error instanceof Error && message.test(error.message));
   says(() => Figure.human(9, 70), /height 9 m/);
@@ -135,9 +143,15 @@ test("what is wrong is said", () => {
   says(() => walk(ann, { then: [{ steps: 2 }, { sped: 1 }] }), /then\[1\]: there is no 'sped'; did you mean 'speed'/);
   says(() => walk(ann, { speed: "fast" }), /speed must be a number; it is 'fast'/);
   says(() => walk(ann, { speed: NaN }), /speed .*NaN/);
-  says(() => walk(ann, { steps: 2.5 }), /steps must be a whole number from 0 on; it is/);
+  says(() => walk(ann, { steps: 2.5 }), /steps must be a whole number from 0 to 4294967295; it is 2\.5/);
+  says(() => walk(ann, { seed: 2 ** 53 }), /seed must be a whole number from 0 to 9007199254740991; it is 9007199254740992/);
+  says(() => walk(ann, { backward: [1] }), /backward must be true or false; it is an array/);
+  says(() => walk(ann, { then: [{ steps: 2 }, { speed: true }] }), /then\[1\]\.speed must be a number; it is true/);
+  says(() => walk(ann, { stairs: { rise: "1" } }), /stairs\.rise must be a number; it is '1'/);
+  says(() => walk(ann, { stairs: { count: 1e9 } }), /stairs 1000000000: it must be/);
+  says(() => walk(ann, { get steps() { throw new Error("no"); } }), /steps cannot be read/);
   says(() => walk(ann, { path: [[0, 1], [0]] }), /path\[1\] has 1 numbers; it must have 2: x, z/);
-  says(() => walk(ann, { ground: [[0, "a"]] }), /ground\[0\] must be a number; it is 'a'/);
+  says(() => walk(ann, { ground: [[0, "a"]] }), /ground\[0\]\[1\] must be a number; it is 'a'/);
   says(() => walk(ann, { gait: "hop" }), /gait must be 'walk' or 'run'; it is 'hop'/);
   says(() => walk(ann, "fast"), /the options must be a plain object; it is 'fast'/);
   says(() => walk(ann, { steps: 4, distance: 2 }), /steps and distance are both given/);

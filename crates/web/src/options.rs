@@ -2,16 +2,19 @@
 
 use crate::failed;
 use crate::walk::WalkOptions;
-use js_sys::{Array, JsString, Object, Reflect};
+use js_sys::{Array, Reflect};
 use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
 use solaris::model::nearest;
 use std::collections::BTreeMap;
-use wasm_bindgen::{JsCast, JsError, JsValue};
+use wasm_bindgen::{JsError, JsValue};
+
+/// The greatest whole number of which JavaScript knows each before it.
+const MOST_SEED: u64 = (1 << 53) - 1;
 
 /// Options of a walk or a run.
 pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, JsError> {
     let Some(given) = given else { return Ok(GaitOptions::default()) };
-    let mut fields = Fields::new(&given, "the options")?;
+    let mut fields = Fields::new(&given, "")?;
     let options = GaitOptions {
         gait: fields.one_of("gait", [("walk", GaitKind::Walk), ("run", GaitKind::Run)])?.unwrap_or_default(),
         determinants: fields.count("determinants")?,
@@ -33,7 +36,7 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         left: fields.text("left")?,
         right: fields.text("right")?,
         variability: fields.number("variability")?,
-        seed: fields.whole("seed")?.unwrap_or_default(),
+        seed: fields.whole("seed", MOST_SEED)?.unwrap_or_default(),
         style: fields.get("style", style)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
         from_standing: fields.flag("fromStanding")?.unwrap_or_default(),
@@ -74,12 +77,15 @@ fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
 
 /// Numbers of the style: `armSwing` there is `arm_swing` here.
 fn style(at: &str, given: JsValue) -> Result<BTreeMap<String, f64>, JsError> {
-    let one = |key: JsValue| {
-        let key = String::from(JsString::from(key));
-        let value = Reflect::get(&given, &key.as_str().into()).unwrap_or_default();
-        Ok((snaked(&key), number(&format!("{at}.{key}"), value)?))
-    };
-    keys(at, &given)?.iter().map(one).collect()
+    let mut numbers = BTreeMap::new();
+    for key in keys(at, &given)? {
+        let at = format!("{at}.{key}");
+        let value = value(&at, &given, &key)?;
+        if !value.is_undefined() {
+            numbers.insert(snaked(&key), number(&at, value)?);
+        }
+    }
+    Ok(numbers)
 }
 
 fn number(at: &str, given: JsValue) -> Result<f64, JsError> {
@@ -87,7 +93,8 @@ fn number(at: &str, given: JsValue) -> Result<f64, JsError> {
 }
 
 fn numbers(at: &str, given: JsValue) -> Result<Vec<f64>, JsError> {
-    items(at, &given)?.iter().map(|item| number(at, item)).collect()
+    let one = |(i, item)| number(&format!("{at}[{i}]"), item);
+    items(at, &given)?.iter().enumerate().map(one).collect()
 }
 
 fn pair(at: &str, of: &str, given: JsValue) -> Result<[f64; 2], JsError> {
@@ -100,22 +107,37 @@ fn items(at: &str, given: &JsValue) -> Result<Array, JsError> {
     if Array::is_array(given) { Ok(Array::from(given)) } else { Err(wrong(at, "an array", given)) }
 }
 
-fn keys(at: &str, given: &JsValue) -> Result<Array, JsError> {
-    match given.dyn_ref::<Object>() {
-        Some(object) if !Array::is_array(given) => Ok(Object::keys(object)),
-        _ => Err(wrong(at, "a plain object", given)),
-    }
+fn keys(at: &str, given: &JsValue) -> Result<Vec<String>, JsError> {
+    let own = given.is_object().then(|| Reflect::own_keys(given).map_err(|_| unreadable(at))).transpose()?;
+    let own = own.filter(|_| !Array::is_array(given)).ok_or_else(|| wrong(at, "a plain object", given))?;
+    Ok(own.iter().filter_map(|key| key.as_string()).collect())
+}
+
+/// A field of an object, undefined where there is none.
+fn value(at: &str, of: &JsValue, key: &str) -> Result<JsValue, JsError> {
+    Reflect::get(of, &key.into()).map_err(|_| unreadable(at))
+}
+
+fn unreadable(at: &str) -> JsError {
+    failed(format!("{at} cannot be read"))
 }
 
 fn wrong(at: &str, kind: &str, given: &JsValue) -> JsError {
-    let given = given.as_string().map_or_else(|| format!("{given:?}"), |text| format!("'{text}'"));
+    let given = match (given.as_string(), given.as_f64(), given.as_bool()) {
+        (Some(text), ..) => format!("'{text}'"),
+        (_, Some(number), _) => number.to_string(),
+        (.., Some(flag)) => flag.to_string(),
+        _ if Array::is_array(given) => "an array".to_owned(),
+        _ if given.is_null() || given.is_undefined() => "nothing".to_owned(),
+        _ => "something else".to_owned(),
+    };
     failed(format!("{at} must be {kind}; it is {given}"))
 }
 
-/// The fields of an object, each looked for by its name; what is null is not there.
+/// The fields of an object, each looked for by its name, `stepFrequency` or `step_frequency`; what is null or undefined is not there.
 struct Fields<'a> {
     of: &'a JsValue,
-    /// What the object is called.
+    /// What the object is called within the options; they themselves by no name.
     name: &'a str,
     /// Its fields.
     given: Vec<String>,
@@ -125,7 +147,7 @@ struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     fn new(of: &'a JsValue, name: &'a str) -> Result<Self, JsError> {
-        let given = keys(name, of)?.iter().map(|key| JsString::from(key).into()).collect();
+        let given = keys(if name.is_empty() { "the options" } else { name }, of)?;
         Ok(Self { of, name, given, known: Vec::new() })
     }
 
@@ -135,29 +157,30 @@ impl<'a> Fields<'a> {
         read: impl FnOnce(&str, JsValue) -> Result<T, JsError>,
     ) -> Result<Option<T>, JsError> {
         self.known.push(name);
-        let value = Reflect::get(self.of, &name.into()).unwrap_or_default();
-        if value.is_null() || value.is_undefined() {
-            return Ok(None);
+        let at = if self.name.is_empty() { name.to_owned() } else { format!("{}.{name}", self.name) };
+        for key in [name, &snaked(name)] {
+            let value = value(&at, self.of, key)?;
+            if !value.is_null() && !value.is_undefined() {
+                return read(&at, value).map(Some);
+            }
         }
-        read(name, value).map(Some)
+        Ok(None)
     }
 
     fn number(&mut self, name: &'static str) -> Result<Option<f64>, JsError> {
         self.get(name, number)
     }
 
-    /// A whole number, of those that a number of JavaScript can be.
-    fn whole(&mut self, name: &'static str) -> Result<Option<u64>, JsError> {
-        const MOST: f64 = 9_007_199_254_740_991.0;
+    /// A whole number up to one that is told.
+    fn whole(&mut self, name: &'static str, most: u64) -> Result<Option<u64>, JsError> {
         self.get(name, |at, value| match value.as_f64() {
-            Some(whole) if (0.0..=MOST).contains(&whole) && whole.fract() == 0.0 => Ok(whole as u64),
-            _ => Err(wrong(at, "a whole number from 0 on", &value)),
+            Some(whole) if (0.0..=most as f64).contains(&whole) && whole.fract() == 0.0 => Ok(whole as u64),
+            _ => Err(wrong(at, &format!("a whole number from 0 to {most}"), &value)),
         })
     }
 
-    /// A number of things; more than an address can count are as many as that.
     fn count(&mut self, name: &'static str) -> Result<Option<usize>, JsError> {
-        Ok(self.whole(name)?.map(|count| usize::try_from(count).unwrap_or(usize::MAX)))
+        Ok(self.whole(name, u32::MAX.into())?.map(|count| count as usize))
     }
 
     fn flag(&mut self, name: &'static str) -> Result<Option<bool>, JsError> {
@@ -182,19 +205,25 @@ impl<'a> Fields<'a> {
         name: &'static str,
         read: impl Fn(&str, JsValue) -> Result<T, JsError>,
     ) -> Result<Option<Vec<T>>, JsError> {
-        let one = |(i, item)| read(&format!("{name}[{i}]"), item);
-        self.get(name, |at, value| items(at, &value)?.iter().enumerate().map(one).collect())
+        self.get(name, |at, value| {
+            let one = |(i, item)| read(&format!("{at}[{i}]"), item);
+            items(at, &value)?.iter().enumerate().map(one).collect()
+        })
     }
 
     /// Refuses a field that nobody looked for.
     fn end(self) -> Result<(), JsError> {
-        let Some(other) = self.given.iter().find(|given| !self.known.contains(&given.as_str())) else {
-            return Ok(());
-        };
-        let near = nearest(other, self.known.iter().copied());
-        let near = near.map_or_else(String::new, |near| format!("did you mean '{near}'? "));
-        let known = self.known.join(", ");
-        Err(failed(format!("{}: there is no '{other}'; {near}known are {known}", self.name)))
+        let is_known = |key: &str| self.known.iter().any(|known| *known == key || snaked(known) == key);
+        let at = if self.name.is_empty() { "the options" } else { self.name };
+        for other in self.given.iter().filter(|key| !is_known(key)) {
+            if !value(other, self.of, other)?.is_undefined() {
+                let near = nearest(other, self.known.iter().copied());
+                let near = near.map_or_else(String::new, |near| format!("did you mean '{near}'? "));
+                let known = self.known.join(", ");
+                return Err(failed(format!("{at}: there is no '{other}'; {near}known are {known}")));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 #[cfg(not(feature = "usual"))]
 use {
     solaris::analysis::{ReactionError, SupportLaw, ground_reactions},
-    solaris::gait::{FEET, StyledRequest, WalkSequence, walk_in_part},
+    solaris::gait::{self, FEET, StyledRequest, WalkSequence},
     solaris::model,
 };
 
@@ -74,7 +74,7 @@ extern "C" {
 }
 
 /// Plans a walk or a run of a figure with the segments of a human, and finds the forces of the ground and of every joint. Runs, walks through
-/// key postures and loops are in `solaris-motion`, not in `solaris-motion/lean`.
+/// key postures and loops are in `solaris-motion`, not in `solaris-motion/lean`; so is to walk as much of a manner as holds, where not all does.
 #[wasm_bindgen]
 pub fn walk(figure: &Figure, options: Option<WalkOptions>) -> Result<Motion, JsError> {
     made(figure, &gait_options(options)?)
@@ -98,7 +98,7 @@ fn made(figure: &Figure, options: &GaitOptions) -> Result<Motion, JsError> {
     let rate = options.rate.unwrap_or(solaris::gait::DEFAULT_RATE);
     match options.request(body).map_err(failed)?.request {
         StyledRequest::Smooth(request) => {
-            let (plan, _) = walk_in_part(body, &request).map_err(failed)?;
+            let plan = gait::walk(body, &request).map_err(failed)?;
             loaded(figure, plan.motion(body, rate), &plan)
         }
         StyledRequest::Sequence(walks) => {

@@ -41,7 +41,7 @@ pub enum PlanError {
     NotRunnable { speed: f64, what: String, nearest: String },
     #[error(
         "step {step}: about {place:.2} m along the way no foot finds a place: a sole needs {} of ground that is even to within 2 mm and rises \
-         by no more than 16°, no more than 16° above or below the foot before; smooth the ground, or change the step length",
+         by no more than 16°, no more than 16° above or below the foot before; smooth the ground, or change the step length or the number of steps",
         "its own length"
     )]
     NoFoothold { step: usize, place: f64 },

@@ -1,22 +1,18 @@
 //! The planner of one walk: tries what may hold, and judges it.
 
 use crate::body::Body;
-use crate::error::GaitError;
+use crate::error::{GaitError, PlanError};
 use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINEST_RATE, PlanCheck};
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
-use crate::smooth::walk::{WalkNumbers, WalkPlan};
+use crate::smooth::walk::{Easing, WalkNumbers, WalkPlan};
 use solaris_model::Figure;
 
 /// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
 const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
-/// Whether there is a second way to go over the ground of a walk: one between footholds, and one over edges that sets feet down elsewhere.
-fn may_go_otherwise(request: &WalkRequest) -> bool {
-    matches!(request.ground, WalkGround::Footholds(_)) || may_step_otherwise(request)
-}
 
 /// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
 fn may_step_otherwise(request: &WalkRequest) -> bool {
@@ -24,6 +20,21 @@ fn may_step_otherwise(request: &WalkRequest) -> bool {
         && matches!(request.extent, Extent::Steps(_))
         && request.step_length.is_none()
         && request.speed.is_none()
+}
+
+/// Other routes over ground on which a walk does not hold on the usual one: with other steps, over footholds in the style of the slope around them, over
+/// edges as stairs.
+fn other_routes(request: &WalkRequest, usual: &Route) -> Vec<Route> {
+    match request.ground {
+        WalkGround::Footholds(_) => vec![usual.otherwise()],
+        WalkGround::Relief(_) if may_step_otherwise(request) => {
+            let length = usual.pace().step_length;
+            let other = OTHER_STEPS.map(|part| usual.with_step_length(part * length, usize::MAX));
+            let over_edges = std::iter::once(usual).chain(&other).map(Route::otherwise);
+            other.iter().cloned().chain(over_edges).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Plans walks of a body that stands as after another walk; what does not hold is refused without advice.
@@ -55,23 +66,45 @@ impl<'a> Planner<'a> {
 
     /// A request with a part of its manner.
     pub(super) fn planned(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
+        match self.planned_at_pace(request, part) {
+            Err(GaitError::Plan(error)) => self.eased(request, part, &error).ok_or(error.into()),
+            found => found,
+        }
+    }
+
+    /// The same with steps that all last as long as its pace has them.
+    pub(super) fn planned_at_pace(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
         let route = self.route(request, part)?;
         match self.planned_on(request, part, &route) {
-            Err(error @ GaitError::Plan(_)) if may_go_otherwise(request) => {
-                let usual = route.pace().step_length;
-                let other = OTHER_STEPS.iter().filter(|_| may_step_otherwise(request));
-                let other: Vec<Route> =
-                    other.map(|part| route.with_step_length(part * usual, usize::MAX)).collect();
-                let otherwise = std::iter::once(&route).chain(&other).map(Route::otherwise);
-                let mut plans = other
-                    .iter()
-                    .cloned()
-                    .chain(otherwise)
-                    .map(|route| self.planned_on(request, part, &route));
-                plans.find_map(Result::ok).ok_or(error)
+            Err(error @ GaitError::Plan(_)) => {
+                let other = other_routes(request, &route);
+                other.iter().find_map(|route| self.planned_on(request, part, route).ok()).ok_or(error)
             }
             found => found,
         }
+    }
+
+    /// The same, slower at its ends, where it does not hold there.
+    fn eased(&self, request: &WalkRequest, part: f64, error: &PlanError) -> Option<WalkPlan> {
+        let usual = self.route(request, part).ok()?;
+        let mut error = error.clone();
+        for easing in &Easing::ALL {
+            let PlanError::TooSteep { step, .. } = error else { return None };
+            if !usual.may_ease(step, easing) {
+                continue;
+            }
+            let route = usual.eased(*easing);
+            match self.planned_on(request, part, &route) {
+                Ok(plan) => return Some(plan),
+                Err(GaitError::Plan(found)) => error = found,
+                Err(_) => return None,
+            }
+            let other = other_routes(request, &route);
+            if let Some(plan) = other.iter().find_map(|route| self.planned_on(request, part, route).ok()) {
+                return Some(plan);
+            }
+        }
+        None
     }
 
     /// The same on a route: on level ground in the style of a steady gait, or throughout in that of first and last steps.

@@ -5,14 +5,16 @@ use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, StepLaw, range, tidy};
 use crate::request::{
-    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, WalkGround, WalkPath,
-    WalkRequest, check_turned,
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, TURN, WalkGround,
+    WalkPath, WalkRequest, check_turned,
 };
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::{Gone, Styling};
-use crate::smooth::walk::{Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, steps};
+use crate::smooth::walk::{
+    Easing, Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, Way, steps,
+};
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -56,8 +58,8 @@ struct Part {
 pub(crate) struct Route {
     parts: Vec<Part>,
     ground: WalkGround,
-    /// Whether it goes over ground in the second way, see [`Terrain::of`].
-    otherwise: bool,
+    /// How it goes over ground.
+    way: Way,
 }
 
 impl Route {
@@ -101,6 +103,10 @@ impl Route {
         if let (Extent::Distance(distance), false) = (request.extent, request.then.is_empty()) {
             return Err(RequestError::DistanceThenMore { distance }.into());
         }
+        if let WalkGround::Stairs(stairs) = &request.ground {
+            let (lower, upper) = STAIR_COUNT;
+            range("stairs", stairs.count as f64, "", (lower as f64, upper as f64), String::new)?;
+        }
         let mut parts = Vec::new();
         let mut turned = heading;
         for (number, next) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
@@ -137,7 +143,7 @@ impl Route {
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
         let ground = request.ground.clone();
-        let route = Self { parts, ground, otherwise: false };
+        let route = Self { parts, ground, way: Way::USUAL };
         if !route.is_level() && (!route.is_even() || request.is_uneven() || heading != 0.0) {
             let what = "turns, changes of pace, steps that differ and a second walk";
             return Err(RequestError::NotOnTerrain { what }.into());
@@ -175,7 +181,7 @@ impl Route {
             length: Some(laid.length),
             laid: Some(laid),
         });
-        Ok(Self { parts: parts.collect(), ground: WalkGround::Level, otherwise: false })
+        Ok(Self { parts: parts.collect(), ground: WalkGround::Level, way: Way::USUAL })
     }
 
     /// Where a step of a path leads (x, z; m); both count from 1.
@@ -203,12 +209,33 @@ impl Route {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
         let parts = vec![Part { pace, steps: first.steps.min(most), length: None, ..first }];
-        Self { parts, ground: self.ground.clone(), otherwise: self.otherwise }
+        Self { parts, ground: self.ground.clone(), way: self.way }
     }
 
     /// The same in the second way to go over ground.
     pub(crate) fn otherwise(&self) -> Self {
-        Self { otherwise: true, ..self.clone() }
+        Self { way: Way { otherwise: true, ..self.way }, ..self.clone() }
+    }
+
+    /// The same, slower at its ends.
+    pub(crate) fn eased(&self, easing: Easing) -> Self {
+        Self { way: Way { easing, ..self.way }, ..self.clone() }
+    }
+
+    /// Whether what does not hold at a step, which count from 1, may do so with slower ends: at one of them that is slower, where the ground says how
+    /// long steps are.
+    pub(crate) fn may_ease(&self, step: usize, easing: &Easing) -> bool {
+        let given = matches!(self.ground, WalkGround::Stairs(_) | WalkGround::Footholds(_));
+        given && (step + LEAD > self.count() || step <= LEAD && easing.eases_beginnings())
+    }
+
+    /// The number of its steps.
+    fn count(&self) -> usize {
+        match &self.ground {
+            WalkGround::Stairs(stairs) => stairs.count + 2 * LEAD,
+            WalkGround::Footholds(footholds) => footholds.len(),
+            _ => self.parts.iter().map(|part| part.steps).sum(),
+        }
     }
 
     /// The same with no more steps than decide whether it holds: those of its beginning and its end, and some between.
@@ -260,11 +287,7 @@ impl Route {
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         let part = self.parts[0];
-        let count = match &self.ground {
-            WalkGround::Stairs(stairs) => stairs.count + 2 * LEAD,
-            WalkGround::Footholds(footholds) => footholds.len(),
-            _ => part.steps,
-        };
+        let count = self.count();
         let levels: Vec<Step> = steps::factors(count)
             .map(|factor| Step::along_an_arc(0, factor * part.pace.step_length, 0.0))
             .collect();
@@ -273,8 +296,7 @@ impl Route {
         let level = styling.style_from(&table, body, &part.pace)?;
         let width = level.step_width;
         let usual = (part.pace.step_length, width);
-        let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, [mirrored, self.otherwise])?
-        else {
+        let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, mirrored, self.way)? else {
             unreachable!("ground that is not level")
         };
         let on_tread =

@@ -27,4 +27,4 @@ pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
 pub(crate) use standing::Standing;
 pub(crate) use steps::Steps;
-pub(crate) use terrain::{LEAD, StepKind, Terrain};
+pub(crate) use terrain::{Easing, LEAD, StepKind, Terrain, Way};

@@ -85,7 +85,7 @@ fn forward_from(
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
             let error = nearest_part(error, request, |part| planned(request, part));
-            return advise_on_ground(error, request, |request| planned(request, 1.0).is_ok());
+            return advise_on_ground(error, request, |request| planner.planned_at_pace(request, 1.0).is_ok());
         }
         match planner.route(request, 1.0) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {

@@ -1,9 +1,9 @@
 //! Footholds given one by one: feet stand on them, and the walk is as sound as any.
 
 use crate::posed::Posed;
-use crate::terrain::{judge, request};
+use crate::terrain::{judge, judge_loaded, request};
 use solaris_gait::{Foothold, WalkGround, WalkRequest, walk};
-use solaris_model::human;
+use solaris_model::{Event, EventKind, human};
 
 /// Places ahead (m), heights (m) and pitches (°).
 fn stones(rows: &[[f64; 3]]) -> Vec<Foothold> {
@@ -57,6 +57,33 @@ fn heels(ask: &WalkRequest) -> Vec<[f64; 3]> {
 fn stepping_stones_of_any_length_height_and_pitch() {
     let ann = human(1.75, 73.0).expect("a person");
     judge("uneven stones", &ann, &on(uneven()));
+}
+
+/// Prints as far apart to the last one as people's steps at the pace are: nobody stops at once after such a step.
+#[test]
+fn prints_that_are_all_as_far_apart() {
+    for (height, mass) in [(1.60, 56.0), (1.75, 73.0), (1.88, 84.0)] {
+        let person = human(height, mass).expect("a person");
+        for step_frequency in [80.0, 95.0, 108.0, 120.0] {
+            let level = walk(&person, &request(WalkGround::Level, step_frequency)).expect("a walk");
+            let step = 0.95 * level.style().step_length;
+            let rows: Vec<[f64; 3]> = (1..=9).map(|k| [step * f64::from(k), 0.0, 0.0]).collect();
+            let ask = request(WalkGround::Footholds(stones(&rows)), step_frequency);
+            judge_loaded(&format!("{height} m, {step_frequency} steps/min"), &person, &ask, 160.0);
+            let plan = walk(&person, &ask).expect("a walk");
+            let contacts: Vec<f64> = plan.events().iter().filter_map(touch_down).collect();
+            let lasts: Vec<f64> = contacts.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            // Steps in the middle last as told; of quick ones the last one takes time.
+            let usual = 60.0 / step_frequency;
+            assert!((lasts[3] / usual - 1.0).abs() < 1e-9, "{lasts:?}");
+            let last = lasts[7] / usual;
+            assert!(last < 2.0 && last > if step_frequency > 100.0 { 1.1 } else { 1.0 - 1e-9 }, "{lasts:?}");
+        }
+    }
+}
+
+fn touch_down(event: &Event) -> Option<f64> {
+    matches!(event.kind, EventKind::TouchDown { .. }).then_some(event.time)
 }
 
 /// Narrow and wide, with one foot turned out on a level stone.

@@ -173,6 +173,16 @@ fn stairs_of_any_rise_and_tread_at_any_pace() {
     }
 }
 
+/// The last steps take more time, or nobody would come to a stop after them.
+#[test]
+fn quick_stairs_up() {
+    for (height, rise) in [(1.65, 0.13), (1.75, 0.15), (1.85, 0.17)] {
+        let figure = human(height, 22.0 * height * height).expect("a person");
+        let stairs = WalkGround::Stairs(Stairs { count: 5, rise, tread: 0.29 });
+        judge_loaded(&format!("{height} m, {rise} m"), &figure, &request(stairs, 125.0), 160.0);
+    }
+}
+
 /// Feet as long as a tread, and short legs.
 #[test]
 fn stairs_for_the_tall_and_the_short() {

@@ -183,7 +183,11 @@ impl Gaits {
     }
 
     /// On ground that is not level, where every contact has a pace of its own; a swing for the contact that it ends in.
-    pub(super) fn on_ground(contacts: &[Contact], swings: &[SwingLaw]) -> Result<Self, GaitError> {
+    pub(super) fn on_ground(
+        contacts: &[Contact],
+        swings: &[SwingLaw],
+        steps: &[Step],
+    ) -> Result<Self, GaitError> {
         let last = contacts.len() - 1;
         let stances = (0..=contacts.len())
             .map(|next| {
@@ -199,7 +203,7 @@ impl Gaits {
             stances,
             landings: contacts.iter().map(|contact| contact.landing).collect(),
             swings: swings.to_vec(),
-            tempo: Tempo::new(vec![1.0; contacts.len() - 1], std::iter::empty()),
+            tempo: Tempo::new(vec![1.0; steps.len() + 1], steps.iter().map(|step| step.slower)),
             stride_time,
         })
     }

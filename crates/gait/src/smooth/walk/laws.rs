@@ -61,7 +61,7 @@ impl WalkLaws {
         ground: Option<&Grounded>,
     ) -> Result<Self, GaitError> {
         let gaits = match ground {
-            Some(ground) => Gaits::on_ground(&ground.contacts, &ground.swings)?,
+            Some(ground) => Gaits::on_ground(&ground.contacts, &ground.swings, steps)?,
             None => Gaits::new(strides, standing, steps)?,
         };
         let style = &gaits.of_contact(0).style;

@@ -4,7 +4,7 @@ use super::course::Step;
 use crate::body::LegGeometry;
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::{range, tidy};
-use crate::request::{STAIR_COUNT, Stairs, WalkGround};
+use crate::request::{Stairs, WalkGround};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
 use crate::smooth::stair_numbers::nosing;
 use crate::smooth::stairs::STAIRS;
@@ -17,6 +17,50 @@ pub(crate) enum StepKind {
     Slope(f64, f64),
     /// From a tread to the next one, which is so much higher and so far ahead (m).
     Stairs { rise: f64, tread: f64 },
+}
+
+/// Which way to go over ground, of those that are tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Way {
+    /// In the second way: edges of a relief as stairs, footholds in the style of the slope around them.
+    pub(crate) otherwise: bool,
+    pub(crate) easing: Easing,
+}
+
+impl Way {
+    pub(crate) const USUAL: Self = Self { otherwise: false, easing: Easing::NONE };
+}
+
+/// By which parts the second step and the last three, the last one first, last longer than the others: who stops at once after a step as long as
+/// the others presses hard, and takes time for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Easing {
+    second: f64,
+    last: [f64; 3],
+}
+
+impl Easing {
+    pub(crate) const NONE: Self = Self { second: 0.0, last: [0.0; 3] };
+    /// From the least on.
+    pub(crate) const ALL: [Self; 4] = [
+        Self { second: 0.0, last: [0.15, 0.0, 0.0] },
+        Self { second: 0.0, last: [0.30, 0.15, 0.0] },
+        Self { second: 0.15, last: [0.60, 0.30, 0.0] },
+        Self { second: 0.15, last: [0.90, 0.45, 0.20] },
+    ];
+
+    pub(crate) fn eases_beginnings(&self) -> bool {
+        self.second > 0.0
+    }
+
+    /// Of fewer steps than have a middle only the last one is eased.
+    fn ease(&self, steps: &mut [Step]) {
+        let last = if steps.len() > LEAD { &self.last[..] } else { &self.last[..1] };
+        steps.iter_mut().rev().zip(last).for_each(|(step, slower)| step.slower = *slower);
+        if steps.len() > 2 * LEAD {
+            steps[1].slower = self.second;
+        }
+    }
 }
 
 /// Steps over ground that is not level.
@@ -64,9 +108,23 @@ const LOOKS_BY: f64 = 0.005;
 
 impl Terrain {
     /// Over `ground`, for level steps `levels` of a pace whose steps are `usual` long and whose feet are `width` apart (m); `None` on level ground.
-    /// `mirrored`: the left foot goes first, and all is planned the other way. `otherwise`: in the second way, edges of a
-    /// relief as stairs, footholds in the style of the slope around them.
+    /// `mirrored`: the left foot goes first, and all is planned the other way.
     pub(crate) fn of(
+        ground: &WalkGround,
+        leg: &LegGeometry,
+        (usual, width): (f64, f64),
+        levels: &[Step],
+        mirrored: bool,
+        way: Way,
+    ) -> Result<Option<Self>, GaitError> {
+        let found = Self::in_way(ground, leg, (usual, width), levels, [mirrored, way.otherwise])?;
+        Ok(found.map(|mut terrain| {
+            way.easing.ease(&mut terrain.steps);
+            terrain
+        }))
+    }
+
+    fn in_way(
         ground: &WalkGround,
         leg: &LegGeometry,
         (usual, width): (f64, f64),
@@ -116,7 +174,6 @@ impl Terrain {
     fn on_stairs(stairs: &Stairs, leg: &LegGeometry, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
         let Stairs { count, rise, tread } = *stairs;
         let (rises, treads) = STAIRS;
-        range("stairs", count as f64, "", (STAIR_COUNT.0 as f64, STAIR_COUNT.1 as f64), String::new)?;
         range("rise", rise.abs(), " m", rises, || " up or down".to_owned())?;
         range("tread", tread, " m", treads, String::new)?;
         let (mut steps, mut kinds, mut points, mut z) = (Vec::new(), Vec::new(), vec![[-AROUND, 0.0]], 0.0);
@@ -273,6 +330,19 @@ impl Foothold {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_ends_are_eased_where_there_are_any() {
+        let slower = |count: usize| {
+            let mut steps = vec![Step::along_an_arc(0, 0.7, 0.0); count];
+            Easing::ALL[3].ease(&mut steps);
+            steps.iter().map(|step| step.slower).collect::<Vec<f64>>()
+        };
+        assert_eq!(slower(1), [0.9]);
+        assert_eq!(slower(3), [0.0, 0.0, 0.9]);
+        assert_eq!(slower(5), [0.0, 0.0, 0.2, 0.45, 0.9]);
+        assert_eq!(slower(8), [0.0, 0.15, 0.0, 0.0, 0.0, 0.2, 0.45, 0.9]);
+    }
 
     #[test]
     fn a_foot_does_not_stand_across_a_kerb() {
