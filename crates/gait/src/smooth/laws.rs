@@ -71,18 +71,20 @@ pub(crate) fn cop_of(landing: &Style, style: &Style) -> Result<Clip<CubicSpline>
         keys.extend([(0.0, contact), (COP_LOADING * flat, loading), (flat, flat_at)]);
         keys.push((flat + COP_QUICK.0, COP_QUICK.1 * forward));
     }
+    // Of short double supports the toes roll before that: quick steps up a steep slope have such.
+    let late = if style.tip_roll_at() > 0.50 { 0.50 } else { style.tip_roll_at() - COP_APART };
     let at_toe_off = |before: f64, end: f64| [(style.tip_roll_at(), before), (style.toe_off(), end)];
     if let Some(stairs) = &style.stairs {
         // On the way down the toes do not roll.
         let before = if stairs.cop_end > 0.9 { COP_BEFORE_END.0 } else { COP_BEFORE_END.1 };
-        keys.extend([stairs.cop_middle, (style.heel_off, style.cop_middle), (0.50, style.cop_50)]);
+        keys.extend([stairs.cop_middle, (style.heel_off, style.cop_middle), (late, style.cop_50)]);
         keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
     } else {
         let middle = style.footfall.cop_middle_at.unwrap_or(style.heel_off);
         // Where a foot is flat late, no sooner than after that.
         let single = COP_SINGLE.0.max(keys[keys.len() - 1].0 + COP_APART);
         keys.extend([(single, COP_SINGLE.1 * forward), (middle, style.cop_middle)]);
-        keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
+        keys.extend([(0.40, style.cop_40), (late, style.cop_50)]);
         keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
     }
     Ok(CubicSpline::monotone(&keys)?.into_clip())

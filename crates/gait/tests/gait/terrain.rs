@@ -173,6 +173,20 @@ fn stairs_of_any_rise_and_tread_at_any_pace() {
     }
 }
 
+/// Toes roll there before the pressure has come to its place before that.
+#[test]
+fn quick_steps_up_a_steep_slope_are_planned_or_refused_with_advice() {
+    let ann = human(1.75, 73.0).expect("a person");
+    for step_frequency in [120.0, 125.0, 130.0] {
+        let slope = WalkGround::Slope(14.9_f64.to_radians());
+        if let Err(error) = walk(&ann, &request(slope, step_frequency)) {
+            let message = error.to_string();
+            let advised = ["the nearest slope that holds is ", "take a gentler slope, or walk slower"];
+            assert!(advised.iter().any(|advice| message.contains(advice)), "{step_frequency}: {message}");
+        }
+    }
+}
+
 /// The last steps take more time, or nobody would come to a stop after them.
 #[test]
 fn quick_stairs_up() {
