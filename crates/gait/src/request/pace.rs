@@ -71,6 +71,13 @@ pub(crate) struct StepLaw {
     pub(crate) step_frequency: f64,
 }
 
+impl StepLaw {
+    /// Of steps so many times as long.
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        Self { ratio: self.ratio * factor, adult_ratio: self.adult_ratio * factor, ..*self }
+    }
+}
+
 /// What is given of a pace.
 pub(crate) struct Given {
     pub(crate) step_frequency: Option<f64>,

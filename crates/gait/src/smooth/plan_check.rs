@@ -198,9 +198,11 @@ impl PlanCheck<'_> {
         let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
         let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
         fails(outside.value.is_nan() || outside.value > edge, outside, beside)?;
-        // Where the ground leans, friction is that of the forces that are prescribed, by its normals.
-        let frictions = [("the", found.friction, FRICTION.0), ("a foot's", found.foot_friction, FRICTION.1)];
-        for (whose, peak, limit) in frictions.into_iter().filter(|_| self.route.is_level()) {
+        // Where the ground leans, that of both feet is what is prescribed.
+        let (both, one) =
+            (("the", found.friction, FRICTION.0), ("a foot's", found.foot_friction, FRICTION.1));
+        let leaning = ("a foot's", Self::friction_on_ground(plan, &motion), FRICTION.1);
+        for (whose, peak, limit) in if self.route.is_level() { vec![both, one] } else { vec![leaning] } {
             let what = Self::friction(whose, peak.value, limit);
             fails(peak.value.is_nan() || peak.value > limit, peak, what)?;
         }
@@ -209,6 +211,23 @@ impl PlanCheck<'_> {
         fails(knee.value.is_nan() || knee.value < -HYPEREXTENSION, knee, bent)?;
         let sunk = format!("a foot would sink {:.1} mm into the ground", sink.value * 1e3);
         fails(sink.value.is_nan() || sink.value > SUNK, sink, sunk)
+    }
+
+    /// The greatest friction of a foot that bears more than 5 % of the weight, by its own normal.
+    fn friction_on_ground(plan: &WalkPlan, motion: &Motion) -> Peak {
+        let mut greatest = Peak { value: 0.0, time: 0.0 };
+        for (sample, &time) in motion.time().iter().enumerate() {
+            let normals = plan.normals(plan.clock_at(time));
+            for (foot, normal) in FEET.iter().zip(&normals) {
+                let track = motion.contacts.iter().find(|track| track.link == *foot);
+                let force = track.map_or_else(Vector3::zeros, |track| track.samples[sample].force);
+                let value = if force.y > 0.05 * plan.weight() { friction_on(&force, normal) } else { 0.0 };
+                if value.is_nan() || value > greatest.value {
+                    greatest = Peak { value, time };
+                }
+            }
+        }
+        greatest
     }
 
     /// No joint is farther beyond its range than it may be.

@@ -2,6 +2,7 @@
 
 use crate::body::Body;
 use crate::error::{GaitError, PlanError};
+use crate::request::pace::{Pace, STEP_FREQUENCY};
 use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINEST_RATE, PlanCheck};
@@ -13,13 +14,26 @@ use solaris_model::Figure;
 
 /// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
 const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
+/// The same on slopes, where slow walks need longer ones.
+const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.88];
 
-/// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
-fn may_step_otherwise(request: &WalkRequest) -> bool {
-    matches!(request.ground, WalkGround::Relief(_))
-        && matches!(request.extent, Extent::Steps(_))
-        && request.step_length.is_none()
-        && request.speed.is_none()
+/// The usual route with other steps, as far as a request leaves them open: of other lengths, and at another frequency where a speed alone is asked for.
+fn with_other_steps(request: &WalkRequest, usual: &Route, parts: &[f64]) -> Vec<Route> {
+    let Extent::Steps(_) = request.extent else { return Vec::new() };
+    let Pace { step_frequency, step_length } = usual.pace();
+    let same_speed = match (request.step_length, request.speed, request.step_frequency) {
+        (None, None, _) => false,
+        (None, Some(_), None) if matches!(request.ground, WalkGround::Slope(_)) => true,
+        _ => return Vec::new(),
+    };
+    let other = |part: &f64| {
+        let step_frequency = if same_speed { step_frequency / part } else { step_frequency };
+        Pace { step_frequency, step_length: part * step_length }
+    };
+    let is_tried =
+        |pace: &Pace| !same_speed || (STEP_FREQUENCY.0..=STEP_FREQUENCY.1).contains(&pace.step_frequency);
+    let paces = parts.iter().map(other).filter(is_tried);
+    paces.map(|pace| usual.with_pace(pace, usize::MAX)).collect()
 }
 
 /// Other routes over ground on which a walk does not hold on the usual one: with other steps, over footholds in the style of the slope around them, over
@@ -27,11 +41,14 @@ fn may_step_otherwise(request: &WalkRequest) -> bool {
 fn other_routes(request: &WalkRequest, usual: &Route) -> Vec<Route> {
     match request.ground {
         WalkGround::Footholds(_) => vec![usual.otherwise()],
-        WalkGround::Relief(_) if may_step_otherwise(request) => {
-            let length = usual.pace().step_length;
-            let other = OTHER_STEPS.map(|part| usual.with_step_length(part * length, usize::MAX));
-            let over_edges = std::iter::once(usual).chain(&other).map(Route::otherwise);
-            other.iter().cloned().chain(over_edges).collect()
+        WalkGround::Slope(_) => with_other_steps(request, usual, &OTHER_STEPS_ON_SLOPES),
+        WalkGround::Relief(_) => {
+            let other = with_other_steps(request, usual, &OTHER_STEPS);
+            if other.is_empty() {
+                return other;
+            }
+            let over_edges: Vec<Route> = std::iter::once(usual).chain(&other).map(Route::otherwise).collect();
+            other.into_iter().chain(over_edges).collect()
         }
         _ => Vec::new(),
     }
@@ -60,7 +77,7 @@ impl<'a> Planner<'a> {
 
     /// The style of its steady steps.
     pub(super) fn style(&self, request: &WalkRequest) -> Result<Style, GaitError> {
-        let pace = self.route(request, 1.0)?.pace();
+        let pace = self.route(request, 1.0)?.level_pace();
         Ok(Styling::of(request, self.body, 1.0).style(self.body, &Gone { pace, steady: true })?)
     }
 

@@ -9,6 +9,7 @@ use crate::request::{
     WalkPath, WalkRequest, check_turned,
 };
 use crate::smooth::laid::{Laid, lay};
+use crate::smooth::slope::{SLOPES, step_length_on_slope};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::{Gone, Styling};
@@ -70,6 +71,11 @@ impl Route {
         law: &StepLaw,
         heading: f64,
     ) -> Result<Self, GaitError> {
+        if let WalkGround::Slope(slope) = request.ground {
+            let limits = (tidy(SLOPES.0.to_degrees()), tidy(SLOPES.1.to_degrees()));
+            range("slope", tidy(slope.to_degrees()), "°", limits, String::new)?;
+        }
+        let law = &law.times(on_slope(&request.ground));
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
@@ -91,9 +97,17 @@ impl Route {
                 range("distance", distance, " m", (SHORTEST_DISTANCE, longest.floor()), || {
                     format!(", {} steps at most", STEPS.1)
                 })?;
-                let lengths = |n: usize| {
-                    let walked = eased(vec![pace; n], law.tempo).into_iter();
-                    walked.map(|walked| walked.step_length / pace.step_length)
+                let lengths = |n: usize| -> Vec<f64> {
+                    match request.ground {
+                        WalkGround::Level => {
+                            let walked = eased(vec![pace; n], law.tempo).into_iter();
+                            walked.map(|walked| walked.step_length / pace.step_length).collect()
+                        }
+                        WalkGround::Slope(slope) => {
+                            (0..n).map(|i| Terrain::part_on_slope(slope, i, n)).collect()
+                        }
+                        _ => vec![1.0; n],
+                    }
                 };
                 let (steps, length) = steps::for_distance(distance, pace.step_length, lengths);
                 pace.step_length = length;
@@ -194,6 +208,12 @@ impl Route {
         self.parts[0].pace
     }
 
+    /// The same on level ground, where steps are longer than down a slope.
+    pub(crate) fn level_pace(&self) -> Pace {
+        let Pace { step_frequency, step_length } = self.pace();
+        Pace { step_frequency, step_length: step_length / on_slope(&self.ground) }
+    }
+
     /// The number of the part that a step belongs to; both count from 1.
     pub(crate) fn part_of(&self, step: usize) -> usize {
         let mut last = 0;
@@ -206,8 +226,12 @@ impl Route {
 
     /// The first part alone, with steps of another length, and no more than `most` of them.
     pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
+        self.with_pace(Pace { step_length, ..self.pace() }, most)
+    }
+
+    /// The first part alone, at another pace, and no more than `most` of its steps.
+    pub(crate) fn with_pace(&self, pace: Pace, most: usize) -> Self {
         let first = self.parts[0];
-        let pace = Pace { step_length, ..first.pace };
         let parts = vec![Part { pace, steps: first.steps.min(most), length: None, ..first }];
         Self { parts, ground: self.ground.clone(), way: self.way }
     }
@@ -286,26 +310,26 @@ impl Route {
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
-        let part = self.parts[0];
+        let pace = self.level_pace();
         let count = self.count();
         let levels: Vec<Step> = steps::factors(count)
-            .map(|factor| Step::along_an_arc(0, factor * part.pace.step_length, 0.0))
+            .map(|factor| Step::along_an_arc(0, factor * pace.step_length, 0.0))
             .collect();
         let table = StyleTable::on_ground();
         // Feet stay as far apart as the pace has them, however long a step is.
-        let level = styling.style_from(&table, body, &part.pace)?;
+        let level = styling.style_from(&table, body, &pace)?;
         let width = level.step_width;
-        let usual = (part.pace.step_length, width);
+        let usual = (pace.step_length, width);
         let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, mirrored, self.way)? else {
             unreachable!("ground that is not level")
         };
         let on_tread =
-            |tread: f64| Style::from_table(&table, &body.leg, body.height, part.pace.step_frequency, tread);
+            |tread: f64| Style::from_table(&table, &body.leg, body.height, pace.step_frequency, tread);
         let style = |kind: StepKind| {
             Ok(match kind {
                 StepKind::Slope(slope, step_length) => {
-                    let pace = Pace { step_length, ..part.pace };
-                    let style = Style { step_width: width, ..styling.style_from(&table, body, &pace)? };
+                    let walked = Pace { step_length, ..pace };
+                    let style = Style { step_width: width, ..styling.style_from(&table, body, &walked)? };
                     style.on_slope(&body.leg, body.height, slope)
                 }
                 // Planted feet do not turn: they point as on the level.
@@ -316,7 +340,7 @@ impl Route {
                 },
             })
         };
-        let grounded = Grounded::new(body, &terrain, part.pace.step_length, &style, resolution)?;
+        let grounded = Grounded::new(body, &terrain, pace.step_length, &style, resolution)?;
         let stride = StridePlan::plan(body.clone(), &style(terrain.kinds[count / 2])?, resolution)?;
         let steps = Steps {
             strides: std::slice::from_ref(&stride),
@@ -446,6 +470,11 @@ fn steps_of(
         Step::along_an_arc(index, length, turn)
     });
     steps.collect()
+}
+
+/// How long steps are on this ground over those on level ground.
+fn on_slope(ground: &WalkGround) -> f64 {
+    if let WalkGround::Slope(slope) = ground { step_length_on_slope(*slope) } else { 1.0 }
 }
 
 /// Whether a step, counted from 0, is one of a steady gait: of enough steps, not of the first or last ones, nor near to one that turns or

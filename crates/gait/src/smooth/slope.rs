@@ -26,6 +26,9 @@ pub fn step_length_on_slope(slope: f64) -> f64 {
 const COP_BEHIND_BALL: f64 = 0.010;
 const COP_APART: f64 = 0.01;
 
+/// The least factor of the pressure's quick way forward: that of slow steps is small on level ground, and uphill less by as much as that of all others.
+const LEAST_COP_FORWARD: f64 = 0.2;
+
 /// Slopes, either way, from which on the push is rounded off fully (rad), and by how much (rad).
 const SOFT_FROM: f64 = 5.0 * DEGREE;
 const SOFTNESS: f64 = DEGREE;
@@ -64,7 +67,7 @@ impl Style {
         style.ankle_swing += change(DEGREE, -2.4, 6.37);
         style.knee_late_swing += change(DEGREE, 0.82, 7.43);
         style.heel_off += change(1.0, 0.026, -0.0026);
-        style.cop_forward += change(1.0, -0.5207, -0.1094);
+        style.cop_forward = (style.cop_forward + change(1.0, -0.5207, -0.1094)).max(LEAST_COP_FORWARD);
         style.cop_middle += change(1.0, -0.0654, 0.0057);
         style.cop_40 += change(1.0, -0.0808, -0.0075);
         style.cop_50 += change(1.0, -0.0344, -0.0103);

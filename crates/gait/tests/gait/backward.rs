@@ -259,7 +259,7 @@ fn what_cannot_be_walked_backward_is_named() {
         error.to_string(),
         "footholds backward: not planned yet; walk forward there, or stop and stand before and after it"
     );
-    let steep = WalkGround::Slope(15.0_f64.to_radians());
+    let steep = WalkGround::Slope(-15.0_f64.to_radians());
     match refused(WalkRequest { ground: steep, step_frequency: Some(115.0), ..backward(8) }) {
         GaitError::Plan(PlanError::Backward { why }) => assert!(matches!(*why, PlanError::TooSteep { .. })),
         error => panic!("{error}"),

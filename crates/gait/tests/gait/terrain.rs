@@ -3,7 +3,10 @@
 
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionReport, ground_reactions};
-use solaris_gait::{Extent, FEET, Stairs, WalkExtremes, WalkGround, WalkRequest, measure, walk};
+use solaris_gait::{
+    Extent, FEET, Stairs, WalkExtremes, WalkGround, WalkPlan, WalkRequest, measure, step_length_on_slope,
+    walk,
+};
 use solaris_model::{Figure, Motion, Relief, human};
 
 pub(crate) fn request(ground: WalkGround, step_frequency: f64) -> WalkRequest {
@@ -85,12 +88,60 @@ fn slopes_from_standing_to_standing() {
         let slow_or_fast = request(WalkGround::Slope(slope.to_radians()), step_frequency);
         judge(&format!("{slope}° at {step_frequency}"), &ann, &slow_or_fast);
     }
+    // Slow ones need longer steps and time for the last shift of the pressure; at 15° they need more than that.
+    for (slope, step_frequency) in
+        [(4.0_f64, 60.0), (8.0, 60.0), (10.0, 65.0), (12.0, 70.0), (13.0, 60.0), (14.0, 75.0), (15.0, 90.0)]
+    {
+        let slow = request(WalkGround::Slope(slope.to_radians()), step_frequency);
+        judge(&format!("{slope}° at {step_frequency}"), &ann, &slow);
+    }
     // However few steps: a walk that begins as it ends.
     for (slope, steps) in [(10.0, 1), (10.0, 2), (-10.0, 1), (-10.0, 3_usize)] {
         let ground = WalkGround::Slope(f64::to_radians(slope));
         let short = WalkRequest { extent: Extent::Steps(steps), ..request(ground, 100.0) };
         judge(&format!("{steps} steps on {slope}°"), &ann, &short);
     }
+}
+
+/// The pace and the distance that are asked for are those on the slope, and a speed is kept where other steps are tried.
+#[test]
+fn what_is_asked_for_on_a_slope_is_walked() {
+    let ann = human(1.75, 73.0).expect("a person");
+    // Contacts of steps in the middle of the walk, along the level, and the time between them.
+    let middle = |plan: &WalkPlan| {
+        let (prints, half) = (plan.prints(), plan.steps() / 2);
+        let length = prints[half + 1] - prints[half];
+        (length, length / (0.5 * plan.style_of_step(half).stride_time))
+    };
+    for slope in [-12.0_f64, -6.0, 0.01, 7.0, 12.0] {
+        let ground = WalkGround::Slope(slope.to_radians());
+        let walked =
+            |request: WalkRequest| walk(&ann, &request).unwrap_or_else(|error| panic!("{slope}°: {error}"));
+        let twelve =
+            WalkRequest { extent: Extent::Steps(12), ground: ground.clone(), ..WalkRequest::default() };
+        let (length, speed) = (0.61 * step_length_on_slope(slope.to_radians()), 1.05);
+        let plan = walked(WalkRequest { step_length: Some(length), ..twelve.clone() });
+        assert!((middle(&plan).0 - length).abs() < 1e-9, "{slope}°: {} m", middle(&plan).0);
+        let plan = walked(WalkRequest { speed: Some(speed), ..twelve.clone() });
+        assert!((middle(&plan).1 - speed).abs() < 1e-9, "{slope}°: {} m/s", middle(&plan).1);
+        for distance in [3.0, 8.0] {
+            let plan = walked(WalkRequest { extent: Extent::Distance(distance), ..twelve.clone() });
+            assert!((plan.destination().0.z - distance).abs() < 1e-9, "{slope}°: {:?}", plan.destination());
+        }
+    }
+    // At this speed people's steps do not hold at 14°, and longer ones, made less often, do.
+    let steep = WalkRequest {
+        speed: Some(0.53),
+        ground: WalkGround::Slope(14f64.to_radians()),
+        extent: Extent::Steps(12),
+        ..WalkRequest::default()
+    };
+    let plan = walk(&ann, &steep).expect("a walk");
+    assert!((middle(&plan).1 - 0.53).abs() < 1e-9 && plan.style().step_frequency < 66.5);
+    // As short as no person walks at this pace, named by what is asked for.
+    let short = WalkRequest { step_length: Some(0.4), step_frequency: Some(100.0), ..steep };
+    let short = WalkRequest { speed: None, ..short };
+    assert!(walk(&ann, &short).err().expect("too short").to_string().contains("step length"));
 }
 
 #[test]
@@ -257,7 +308,7 @@ fn what_cannot_be_walked_on_is_refused_by_what_it_is() {
     assert!(why(WalkGround::Stairs(Stairs { count: 0, ..Stairs::default() })).contains("stairs"));
     // What nearly holds is refused with what does.
     let steep = why(WalkGround::Slope(15f64.to_radians()));
-    assert!(steep.contains("the nearest slope that holds is 13.0°"), "{steep}");
+    assert!(steep.contains("the nearest slope that holds is 14.0°"), "{steep}");
     // A ditch that no foot finds a place in, and a wall.
     assert!(why(relief(&[[2.0, 0.0], [2.0, 1.0]])).contains("step"));
 }

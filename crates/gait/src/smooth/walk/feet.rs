@@ -231,15 +231,20 @@ fn stance(
     Ok((stance, contact))
 }
 
-/// By which part the knee of a foot that lands goes as it does on a flat foot: uphill the first foot and the last one land hardly pitched, on a
-/// knee that is so much more bent than in a stride (rad), and would turn toe up again if it bent on.
+/// By which part the knee of a foot that lands goes as it does on a flat foot: uphill the first foot, the last one, and all in slow steps land on a
+/// knee that is so much more bent than in a stride (rad), and would turn toe up again if it bent or stretched at its own rate.
 fn lands_as_flat(laws: &WalkLaws, episode: &Episode, more_bent: f64) -> f64 {
-    let hardly_pitched = episode.index == 1 || episode.kind == Kind::Last;
-    if laws.relief.is_none() || !hardly_pitched {
+    if laws.relief.is_none() {
         return 0.0;
     }
     let part = |value: f64, (from, range): (f64, f64)| step::quintic((value - from) / range).position;
-    part(more_bent, LANDS_AS_FLAT[0]) * part(episode.print.tilt, LANDS_AS_FLAT[1])
+    let [bent, tilted, slow] = LANDS_AS_FLAT;
+    let slow = match episode.kind {
+        Kind::Last => 1.0,
+        _ if episode.index == 1 => 1.0,
+        _ => part(laws.stride_of(episode.index), slow),
+    };
+    slow * part(more_bent, bent) * part(episode.print.tilt, tilted)
 }
 
 /// Length of a turning step over its pace's; 1 straight on.

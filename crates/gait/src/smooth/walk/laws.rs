@@ -6,8 +6,7 @@ use super::grounded::Grounded;
 use super::heights::Heights;
 use super::numbers::{
     BEGIN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_FREED, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL,
-    LAST_SHIFT, LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STAIR_EDGES,
-    WalkNumbers,
+    LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STAIR_EDGES, WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -88,6 +87,11 @@ impl WalkLaws {
     /// The style of contact `k`.
     pub(crate) fn style(&self, k: usize) -> &Style {
         &self.gaits.of_contact(k).style
+    }
+
+    /// How long a stride of the style of contact `k` lasts (s), of somebody of the reference height.
+    pub(super) fn stride_of(&self, k: usize) -> f64 {
+        self.first_stride * self.gaits.landing(k).style.stride_time / self.style(0).stride_time
     }
 
     /// 0 while standing, 1 while walking.
@@ -302,7 +306,7 @@ impl WalkLaws {
         let towards_last = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         [
             -first((u - begin) / (d + FIRST_SHIFTS.0 - begin)),
-            bump((f - 0.5 - 0.5 * e) / (0.5 + LAST_SHIFT * SETTLE - 0.5 * e)),
+            bump((f - 0.5 - 0.5 * e) / (0.5 + self.numbers.last_shift * SETTLE - 0.5 * e)),
             -bump((u - begin) / (d - begin - FIRST_SHIFTS.1)) * standing.step_width,
             -towards_last * bump((f - 1.0) / SETTLE) * last.step_width,
         ]

@@ -46,10 +46,10 @@ pub(super) const KNEE_FLAT_BELOW: f64 = 0.2 * DEGREE;
 pub(super) const PEAK_FOLLOWS: (f64, f64) = (8.0 * DEGREE, 0.7);
 /// A knee that lands so much more bent than in a stride is not stretched before (rad), one less so in part.
 pub(super) const UNSTRETCHED: f64 = 6.0 * DEGREE;
-/// A foot that lands flatter than in a stride, first or last up a slope: how much more bent than in a stride its knee is from where on it goes as
-/// that of the flat foot does, and over which range (rad); from which slope on, and over which range (rad).
-pub(super) const LANDS_AS_FLAT: [(f64, f64); 2] =
-    [(3.0 * DEGREE, 9.0 * DEGREE), (5.0 * DEGREE, 5.0 * DEGREE)];
+/// Where the knee of a foot that lands goes as that of the flat foot does: how much more bent than in a stride it is, and over which range (rad); from
+/// which slope on, and over which range (rad); and of which strides, but for the first foot and the last one (s, of somebody of the reference height).
+pub(super) const LANDS_AS_FLAT: [(f64, f64); 3] =
+    [(3.0 * DEGREE, 9.0 * DEGREE), (5.0 * DEGREE, 5.0 * DEGREE), (1.2, 0.2)];
 /// How much more bent than in a stride the knee of the first foot to land may stay (rad): the body has not come far yet.
 pub(super) const FIRST_MORE_BENT: f64 = 10.0 * DEGREE;
 /// The least flexion of a knee on a flat foot (rad), and until when after its heel has begun to rise (u).
@@ -156,8 +156,6 @@ pub(super) const FIRST_SHIFTS: (f64, f64) = (0.05, 0.02);
 pub(super) const FIRST_FREED: (f64, f64) = (-0.06, 0.12);
 /// Least share by which is divided.
 pub(super) const LEAST_SHARE: f64 = 0.05;
-/// Part of the settling in which the last shift fore and aft ends.
-pub(super) const LAST_SHIFT: f64 = 0.55;
 
 /// How a walk begins, ends and lands: what may be tuned without changing where its feet stand, and when.
 ///
@@ -193,6 +191,9 @@ pub struct WalkNumbers {
     pub standing_heel_off: (f64, f64),
     /// Part of its duration in which the first shift of load comes in, and goes; 0 for a bump.
     pub first_shift_ramp: f64,
+    /// Part of the settling in which the last shift fore and aft ends. What the pressure does last decides where a body comes to rest: the sooner the shift
+    /// ends, the greater it is, and the slower the steps, the more so.
+    pub last_shift: f64,
     /// Until when the pressure under it has come from its place at rest to where a step has it (u).
     pub standing_cop_until: f64,
     /// The foot that makes the first step: how long before toe-off its heel rises (u), and how long at most (s, likewise).
@@ -236,6 +237,7 @@ impl WalkNumbers {
             toe_off_pitch: None,
             standing_heel_off: (0.06, 0.0),
             first_shift_ramp: 0.0,
+            last_shift: 0.55,
             standing_cop_until: 0.30,
             first_heel_off: (0.22, f64::INFINITY),
             standing_toe_off: 4.0 * DEGREE,
@@ -271,7 +273,7 @@ impl WalkNumbers {
 
     /// What ships on ground that is not level: no two steps are alike there, so that the body follows the legs all along.
     pub fn on_ground() -> Self {
-        Self { knots_throughout: true, ..Self::default() }
+        Self { knots_throughout: true, last_shift: 0.85, ..Self::default() }
     }
 
     /// What is tried next there: the body stays low where it would leave a foot on its tip, at the price of greater forces.

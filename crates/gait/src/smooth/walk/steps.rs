@@ -58,7 +58,7 @@ pub(crate) fn factors(n: usize) -> impl Iterator<Item = f64> {
 
 /// Number of steps for a distance, and the length S of the pace, so that the distance is met exactly: as few steps as need no
 /// length above 1.02 of the default one. `lengths` are those of n steps over S, without the factors of the ends.
-pub(crate) fn for_distance<L: Iterator<Item = f64>>(
+pub(crate) fn for_distance<L: IntoIterator<Item = f64>>(
     distance: f64,
     default: f64,
     lengths: impl Fn(usize) -> L,

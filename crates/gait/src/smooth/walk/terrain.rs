@@ -3,9 +3,9 @@
 use super::course::Step;
 use crate::body::LegGeometry;
 use crate::error::{GaitError, PlanError, RequestError};
-use crate::request::pace::{range, tidy};
+use crate::request::pace::range;
 use crate::request::{Stairs, WalkGround};
-use crate::smooth::slope::{SLOPES, step_length_on_slope};
+use crate::smooth::slope::step_length_on_slope;
 use crate::smooth::stair_numbers::nosing;
 use crate::smooth::stairs::STAIRS;
 use solaris_model::Relief;
@@ -133,12 +133,7 @@ impl Terrain {
     ) -> Result<Option<Self>, GaitError> {
         match ground {
             WalkGround::Level => Ok(None),
-            WalkGround::Slope(slope) => {
-                let (lower, upper) = SLOPES;
-                let degrees = |angle: f64| tidy(angle.to_degrees());
-                range("slope", degrees(*slope), "°", (degrees(lower), degrees(upper)), String::new)?;
-                Self::on_slope(*slope, usual, levels).map(Some)
-            }
+            WalkGround::Slope(slope) => Self::on_slope(*slope, usual, levels).map(Some),
             WalkGround::Stairs(stairs) => Self::on_stairs(stairs, leg, usual, levels).map(Some),
             WalkGround::Relief(relief) if otherwise => {
                 let found = Self::over_edges(relief, leg, usual, levels);
@@ -151,16 +146,20 @@ impl Terrain {
         }
     }
 
+    /// How long the `i`-th of `n` steps on a slope is, over what it is on level ground and the slope's own factor.
+    pub(crate) fn part_on_slope(slope: f64, i: usize, n: usize) -> f64 {
+        let down = usize::from(slope < 0.0);
+        let shorter = |by: &[[f64; 4]; 2], i: usize| by[down].get(i).map_or(0.0, |by| by * slope.abs());
+        1.0 - shorter(&SHORTER_FIRST, i).max(shorter(&SHORTER_LAST, n - 1 - i))
+    }
+
     fn on_slope(slope: f64, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
         let steps: Vec<Step> = levels
             .iter()
             .enumerate()
             .map(|(i, step)| {
-                let down = usize::from(slope < 0.0);
-                let shorter =
-                    |by: &[[f64; 4]; 2], i: usize| by[down].get(i).map_or(0.0, |by| by * slope.abs());
-                let end = shorter(&SHORTER_FIRST, i).max(shorter(&SHORTER_LAST, levels.len() - 1 - i));
-                let length = step.length * step_length_on_slope(slope) * (1.0 - end);
+                let part = Self::part_on_slope(slope, i, levels.len());
+                let length = step.length * step_length_on_slope(slope) * part;
                 Step { length, rise: length * slope.tan(), tilt: slope, ..*step }
             })
             .collect();
