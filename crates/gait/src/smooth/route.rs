@@ -42,6 +42,10 @@ const LEAST_STEPS: usize = 8;
 /// facts of people in it and need more friction, or their passes do not come to agree.
 const FASTEST_STEADY: [f64; 2] = [119.5, 115.5];
 
+/// How often the steps to a distance over ground are fitted to where they lead, and from how many per cent longer and shorter ones on at most.
+const SETTLES: usize = 20;
+const MOST_STARTS: u32 = 12;
+
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
 struct Part {
@@ -97,19 +101,7 @@ impl Route {
                 range("distance", distance, " m", (SHORTEST_DISTANCE, longest.floor()), || {
                     format!(", {} steps at most", STEPS.1)
                 })?;
-                let lengths = |n: usize| -> Vec<f64> {
-                    match request.ground {
-                        WalkGround::Level => {
-                            let walked = eased(vec![pace; n], law.tempo).into_iter();
-                            walked.map(|walked| walked.step_length / pace.step_length).collect()
-                        }
-                        WalkGround::Slope(slope) => {
-                            (0..n).map(|i| Terrain::part_on_slope(slope, i, n)).collect()
-                        }
-                        _ => vec![1.0; n],
-                    }
-                };
-                let (steps, length) = steps::for_distance(distance, pace.step_length, lengths);
+                let (steps, length) = to_distance(distance, &request.ground, &body.leg, pace, law);
                 pace.step_length = length;
                 steps
             }
@@ -470,6 +462,50 @@ fn steps_of(
         Step::along_an_arc(index, length, turn)
     });
     steps.collect()
+}
+
+/// How many steps a distance takes, and the length of the pace.
+fn to_distance(
+    distance: f64,
+    ground: &WalkGround,
+    leg: &LegGeometry,
+    pace: Pace,
+    law: &StepLaw,
+) -> (usize, f64) {
+    let parts = |n: usize, length: f64| -> Vec<f64> {
+        match ground {
+            WalkGround::Level => {
+                let walked = eased(vec![pace; n], law.tempo).into_iter();
+                walked.map(|walked| walked.step_length / pace.step_length).collect()
+            }
+            WalkGround::Slope(slope) => (0..n).map(|i| Terrain::part_on_slope(*slope, i, n)).collect(),
+            WalkGround::Relief(relief) => {
+                Terrain::parts_on_relief(relief, leg, length, n).unwrap_or_else(|| vec![1.0; n])
+            }
+            _ => vec![1.0; n],
+        }
+    };
+    let (n, length) = steps::for_distance(distance, pace.step_length, |n| parts(n, pace.step_length));
+    if !matches!(ground, WalkGround::Relief(_)) {
+        return (n, length);
+    }
+    // Longer or shorter steps meet other slopes, and where one finds no place those before it are fitted: from one length on all may be others.
+    let total = |length: f64| -> f64 {
+        steps::factors(n).zip(parts(n, length)).map(|(factor, part)| factor * part * length).sum()
+    };
+    let settled = |from: f64| (0..SETTLES).fold(from * length, |length, _| length * distance / total(length));
+    let off = |length: &f64| (total(*length) - distance).abs();
+    let starts = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
+    let mut nearest = length;
+    for found in starts.map(settled) {
+        if off(&found) < off(&nearest) {
+            nearest = found;
+        }
+        if off(&nearest) < 1e-9 * distance {
+            break;
+        }
+    }
+    (n, nearest)
 }
 
 /// How long steps are on this ground over those on level ground.

@@ -1,6 +1,7 @@
 //! Where feet are set down on ground that is not level.
 
 use super::course::Step;
+use super::steps::even;
 use crate::body::LegGeometry;
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
@@ -200,6 +201,19 @@ impl Terrain {
         points.push([z + AROUND, count as f64 * rise]);
         let relief = Relief::new(points).map_err(RequestError::Relief)?;
         Ok(Self { relief, steps, kinds, standing: 0.0 })
+    }
+
+    /// How long `n` steps over a relief are, over what those of a walk with steps of this length (m) are on level ground; `None` where a foot finds no
+    /// place.
+    pub(crate) fn parts_on_relief(
+        relief: &Relief,
+        leg: &LegGeometry,
+        length: f64,
+        n: usize,
+    ) -> Option<Vec<f64>> {
+        let levels = even(n, length);
+        let found = Self::on_relief(relief, leg, length, &levels).ok()?;
+        Some(found.steps.iter().zip(&levels).map(|(step, level)| step.length / level.length).collect())
     }
 
     fn on_relief(relief: &Relief, leg: &LegGeometry, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
