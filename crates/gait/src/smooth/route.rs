@@ -489,23 +489,30 @@ fn to_distance(
     if !matches!(ground, WalkGround::Relief(_)) {
         return (n, length);
     }
-    // Longer or shorter steps meet other slopes, and where one finds no place those before it are fitted: from one length on all may be others.
-    let total = |length: f64| -> f64 {
+    // Longer or shorter steps meet other slopes, and where one finds no place those before it are fitted: from one length on all may be others, so that
+    // there may be none of n steps that lead there, but of one more.
+    let total = |(n, length): (usize, f64)| -> f64 {
         steps::factors(n).zip(parts(n, length)).map(|(factor, part)| factor * part * length).sum()
     };
-    let settled = |from: f64| (0..SETTLES).fold(from * length, |length, _| length * distance / total(length));
-    let off = |length: &f64| (total(*length) - distance).abs();
-    let starts = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
-    let mut nearest = length;
+    let off = |found: (usize, f64)| (total(found) - distance).abs();
+    let settled = |(n, from): (usize, f64)| {
+        (n, (0..SETTLES).fold(from, |length, _| length * distance / total((n, length))))
+    };
+    let factors = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
+    let starts = [n, n + 1].into_iter().flat_map(|count| {
+        let even = length * n as f64 / count as f64;
+        factors.clone().map(move |factor| (count, even * factor))
+    });
+    let mut nearest = (n, length);
     for found in starts.map(settled) {
-        if off(&found) < off(&nearest) {
+        if off(found) < off(nearest) {
             nearest = found;
         }
-        if off(&nearest) < 1e-9 * distance {
+        if off(nearest) < 1e-9 * distance {
             break;
         }
     }
-    (n, nearest)
+    nearest
 }
 
 /// How long steps are on this ground over those on level ground.

@@ -313,17 +313,15 @@ fn what_cannot_be_walked_on_is_refused_by_what_it_is() {
     assert!(why(relief(&[[2.0, 0.0], [2.0, 1.0]])).contains("step"));
 }
 
-/// Steps are as many and as long as lead there, whatever slopes they go over; or nearly, where no foot stands across the ramp's upper edge.
+/// Steps are as many and as long as lead there, whatever slopes they go over and wherever no foot stands across an edge.
 #[test]
 fn a_distance_over_a_ramp_is_met() {
     let ann = human(1.75, 73.0).expect("a person");
-    for (slope, distance, least) in
-        [(10.0_f64, 8.0, 1e-6), (-10.0, 8.0, 1e-6), (6.0, 20.0, 1e-6), (-8.0, 5.0, 1e-6), (-8.0, 3.0, 0.1)]
-    {
+    for (slope, distance) in [(10.0_f64, 8.0), (-10.0, 8.0), (6.0, 20.0), (-8.0, 5.0), (-8.0, 3.0)] {
         let ramp = relief(&[[1.8, 0.0], [5.8, 4.0 * slope.to_radians().tan()]]);
-        let asked = WalkRequest { extent: Extent::Distance(distance), ..request(ramp, 95.0) };
+        let asked = WalkRequest { extent: Extent::Distance(distance), ..request(ramp, 90.0) };
         let plan = walk(&ann, &asked).unwrap_or_else(|error| panic!("{slope}°: {error}"));
         let off = plan.destination().0.z - distance;
-        assert!(off.abs() < least, "{slope}°: {off} m beside {distance} m");
+        assert!(off.abs() < 1e-6, "{slope}°: {off} m beside {distance} m");
     }
 }
