@@ -2,6 +2,7 @@
 
 mod backward;
 mod band;
+mod distance;
 mod footfall;
 mod laid;
 pub(crate) mod laws;

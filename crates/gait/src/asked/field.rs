@@ -7,7 +7,7 @@ use crate::error::RequestError;
 use crate::request::{
     DEFAULT_RUN_SPEED, MOST_VARIABILITY, RUN_SPEED, STEP_FREQUENCY, Stairs, TURN, WalkRequest,
 };
-use crate::smooth::{PARAMETERS, Parameter};
+use crate::smooth::{PARAMETERS, Parameter, step_length_on_slope};
 use crate::thesis::THESIS_STEP_FREQUENCY;
 use crate::thesis::determinants::Determinants;
 
@@ -136,10 +136,11 @@ impl Field {
             Self::Speed if options.gait == GaitKind::Run => Some(DEFAULT_RUN_SPEED),
             Self::StepFrequency | Self::StepLength | Self::Speed | Self::Style(_) => {
                 let style = judge.style(options, &WalkRequest::default())?;
+                let on_slope = options.slope.map_or(1.0, step_length_on_slope);
                 Some(match self {
                     Self::StepFrequency => style.step_frequency,
-                    Self::StepLength => style.step_length,
-                    Self::Speed => style.step_length * style.step_frequency / 60.0,
+                    Self::StepLength => on_slope * style.step_length,
+                    Self::Speed => on_slope * style.step_length * style.step_frequency / 60.0,
                     Self::Style(name) => Parameter::named(name)?.get(&style),
                     _ => return None,
                 })

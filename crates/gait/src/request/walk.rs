@@ -70,7 +70,7 @@ pub struct WalkRequest {
     #[doc(alias = "cadence")]
     pub step_frequency: Option<f64>,
     /// Length of a step (m): the distance of the heel prints of one foot and then the other, which the thesis calls a
-    /// stride. People's is 0.0037·height·frequency.
+    /// stride. People's is 0.0037·height·frequency; on a slope `step_length_on_slope` times that, along the level, as speed and distance are.
     pub step_length: Option<f64>,
     /// Speed of the steady part (m/s).
     #[doc(alias = "velocity")]

@@ -198,11 +198,13 @@ impl PlanCheck<'_> {
         let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
         let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
         fails(outside.value.is_nan() || outside.value > edge, outside, beside)?;
-        // Where the ground leans, that of both feet is what is prescribed.
-        let (both, one) =
-            (("the", found.friction, FRICTION.0), ("a foot's", found.foot_friction, FRICTION.1));
-        let leaning = ("a foot's", Self::friction_on_ground(plan, &motion), FRICTION.1);
-        for (whose, peak, limit) in if self.route.is_level() { vec![both, one] } else { vec![leaning] } {
+        // Where the ground leans, that of both feet together was judged by the forces that are prescribed.
+        let frictions = if self.route.is_level() {
+            [Some(("the", found.friction, FRICTION.0)), Some(("a foot's", found.foot_friction, FRICTION.1))]
+        } else {
+            [None, Some(("a foot's", Self::friction_on_ground(plan, &motion), FRICTION.1))]
+        };
+        for (whose, peak, limit) in frictions.into_iter().flatten() {
             let what = Self::friction(whose, peak.value, limit);
             fails(peak.value.is_nan() || peak.value > limit, peak, what)?;
         }
@@ -216,12 +218,13 @@ impl PlanCheck<'_> {
     /// The greatest friction of a foot that bears more than 5 % of the weight, by its own normal.
     fn friction_on_ground(plan: &WalkPlan, motion: &Motion) -> Peak {
         let mut greatest = Peak { value: 0.0, time: 0.0 };
-        for (sample, &time) in motion.time().iter().enumerate() {
-            let normals = plan.normals(plan.clock_at(time));
-            for (foot, normal) in FEET.iter().zip(&normals) {
-                let track = motion.contacts.iter().find(|track| track.link == *foot);
-                let force = track.map_or_else(Vector3::zeros, |track| track.samples[sample].force);
-                let value = if force.y > 0.05 * plan.weight() { friction_on(&force, normal) } else { 0.0 };
+        for (side, foot) in FEET.iter().enumerate() {
+            let track = motion.contacts.iter().find(|track| track.link == *foot);
+            for (contact, &time) in track.iter().flat_map(|track| &track.samples).zip(motion.time()) {
+                if contact.force.y <= 0.05 * plan.weight() {
+                    continue;
+                }
+                let value = friction_on(&contact.force, &plan.normals(plan.clock_at(time))[side]);
                 if value.is_nan() || value > greatest.value {
                     greatest = Peak { value, time };
                 }

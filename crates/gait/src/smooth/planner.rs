@@ -9,7 +9,7 @@ use crate::smooth::plan_check::{FINEST_RATE, PlanCheck};
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
-use crate::smooth::walk::{Easing, WalkNumbers, WalkPlan};
+use crate::smooth::walk::{Easing, Terrain, WalkNumbers, WalkPlan, steps};
 use solaris_model::Figure;
 
 /// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
@@ -17,33 +17,43 @@ const OTHER_STEPS: [f64; 8] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85, 1.08, 1.13];
 /// The same on slopes, where slow walks need longer ones.
 const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.88];
 
-/// The usual route with other steps, as far as a request leaves them open: of other lengths, and at another frequency where a speed alone is asked for.
-fn with_other_steps(request: &WalkRequest, usual: &Route, parts: &[f64]) -> Vec<Route> {
-    let Extent::Steps(_) = request.extent else { return Vec::new() };
+/// The usual route with other steps, as far as a request leaves them open: of other lengths, as many as lead to its distance, and at another frequency
+/// where a speed alone is asked for on a slope.
+fn with_other_steps(request: &WalkRequest, usual: &Route, tempo: f64, parts: &[f64]) -> Vec<Route> {
+    let slope = if let WalkGround::Slope(slope) = request.ground { Some(slope) } else { None };
+    let keeps_speed = request.speed.is_some();
+    if request.step_length.is_some() || keeps_speed && (slope.is_none() || request.step_frequency.is_some()) {
+        return Vec::new();
+    }
     let Pace { step_frequency, step_length } = usual.pace();
-    let same_speed = match (request.step_length, request.speed, request.step_frequency) {
-        (None, None, _) => false,
-        (None, Some(_), None) if matches!(request.ground, WalkGround::Slope(_)) => true,
-        _ => return Vec::new(),
-    };
+    let frequencies = STEP_FREQUENCY.0 * tempo..=STEP_FREQUENCY.1 * tempo;
     let other = |part: &f64| {
-        let step_frequency = if same_speed { step_frequency / part } else { step_frequency };
-        Pace { step_frequency, step_length: part * step_length }
+        let (steps, length) = match (request.extent, slope) {
+            (Extent::Steps(_), _) => (None, part * step_length),
+            (Extent::Distance(distance), Some(slope)) => {
+                let parts = |n: usize| (0..n).map(move |i| Terrain::part_on_slope(slope, i, n));
+                let (n, length) = steps::for_distance(distance, part * step_length, parts);
+                (Some(n), length)
+            }
+            _ => return None,
+        };
+        let quicker = if keeps_speed { step_length / length } else { 1.0 };
+        let pace = Pace { step_frequency: step_frequency * quicker, step_length: length };
+        // As many steps to a distance are the same ones.
+        let is_other = (length / step_length - 1.0).abs() > 1e-9;
+        (is_other && frequencies.contains(&pace.step_frequency)).then(|| usual.with_pace(pace, steps))
     };
-    let is_tried =
-        |pace: &Pace| !same_speed || (STEP_FREQUENCY.0..=STEP_FREQUENCY.1).contains(&pace.step_frequency);
-    let paces = parts.iter().map(other).filter(is_tried);
-    paces.map(|pace| usual.with_pace(pace, usize::MAX)).collect()
+    parts.iter().filter_map(other).collect()
 }
 
 /// Other routes over ground on which a walk does not hold on the usual one: with other steps, over footholds in the style of the slope around them, over
 /// edges as stairs.
-fn other_routes(request: &WalkRequest, usual: &Route) -> Vec<Route> {
+fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> {
     match request.ground {
         WalkGround::Footholds(_) => vec![usual.otherwise()],
-        WalkGround::Slope(_) => with_other_steps(request, usual, &OTHER_STEPS_ON_SLOPES),
+        WalkGround::Slope(_) => with_other_steps(request, usual, tempo, &OTHER_STEPS_ON_SLOPES),
         WalkGround::Relief(_) => {
-            let other = with_other_steps(request, usual, &OTHER_STEPS);
+            let other = with_other_steps(request, usual, tempo, &OTHER_STEPS);
             if other.is_empty() {
                 return other;
             }
@@ -94,11 +104,24 @@ impl<'a> Planner<'a> {
         let route = self.route(request, part)?;
         match self.planned_on(request, part, &route) {
             Err(error @ GaitError::Plan(_)) => {
-                let other = other_routes(request, &route);
-                other.iter().find_map(|route| self.planned_on(request, part, route).ok()).ok_or(error)
+                let other = self.other_routes(request, part, &route);
+                other.iter().find_map(|route| self.planned_elsewhere(request, part, route)).ok_or(error)
             }
             found => found,
         }
+    }
+
+    fn other_routes(&self, request: &WalkRequest, part: f64, usual: &Route) -> Vec<Route> {
+        other_routes(request, usual, Styling::of(request, self.body, part).law.tempo)
+    }
+
+    /// The plan on another route, if it holds; of many steps on a slope some decide whether it is tried.
+    fn planned_elsewhere(&self, request: &WalkRequest, part: f64, route: &Route) -> Option<WalkPlan> {
+        let is_slope = matches!(request.ground, WalkGround::Slope(_));
+        if is_slope && route.is_long() {
+            self.planned_on(request, part, &route.shortened()).ok()?;
+        }
+        self.planned_on(request, part, route).ok()
     }
 
     /// The same, slower at its ends, where it does not hold there.
@@ -116,7 +139,7 @@ impl<'a> Planner<'a> {
                 Err(GaitError::Plan(found)) => error = found,
                 Err(_) => return None,
             }
-            let other = other_routes(request, &route);
+            let other = self.other_routes(request, part, &route);
             if let Some(plan) = other.iter().find_map(|route| self.planned_on(request, part, route).ok()) {
                 return Some(plan);
             }

@@ -8,6 +8,7 @@ use crate::request::{
     CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, TURN, WalkGround,
     WalkPath, WalkRequest, check_turned,
 };
+use crate::smooth::distance::to_distance;
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
 use crate::smooth::stride::StridePlan;
@@ -30,7 +31,7 @@ const LOSS: f64 = 10.0;
 const TURNING_STEP_FREQUENCY: f64 = 90.0;
 /// As many steps of one pace as decide whether it holds: the shifts at the ends are the worst, and a fast walk has gained its speed
 /// after eight.
-const DECIDE: usize = 14;
+pub(super) const DECIDE: usize = 14;
 
 /// As many steps begin a walk, and end it, in a style of their own, and as many before and after one that turns; walks of fewer steps than the last
 /// have no other.
@@ -41,10 +42,6 @@ const LEAST_STEPS: usize = 8;
 /// The fastest steps that have the style of a steady gait (steps/min), of steps that are alike and of such that differ: faster ones come to no more
 /// facts of people in it and need more friction, or their passes do not come to agree.
 const FASTEST_STEADY: [f64; 2] = [119.5, 115.5];
-
-/// How often the steps to a distance over ground are fitted to where they lead, and from how many per cent longer and shorter ones on at most.
-const SETTLES: usize = 20;
-const MOST_STARTS: u32 = 12;
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +98,7 @@ impl Route {
                 range("distance", distance, " m", (SHORTEST_DISTANCE, longest.floor()), || {
                     format!(", {} steps at most", STEPS.1)
                 })?;
-                let (steps, length) = to_distance(distance, &request.ground, &body.leg, pace, law);
+                let (steps, length) = to_distance(distance, &request.ground, &body.leg, pace, law.tempo);
                 pace.step_length = length;
                 steps
             }
@@ -218,13 +215,14 @@ impl Route {
 
     /// The first part alone, with steps of another length, and no more than `most` of them.
     pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
-        self.with_pace(Pace { step_length, ..self.pace() }, most)
+        let steps = self.parts[0].steps.min(most);
+        self.with_pace(Pace { step_length, ..self.pace() }, Some(steps))
     }
 
-    /// The first part alone, at another pace, and no more than `most` of its steps.
-    pub(crate) fn with_pace(&self, pace: Pace, most: usize) -> Self {
+    /// As many steps of the first part at another pace; its own where no number is told.
+    pub(crate) fn with_pace(&self, pace: Pace, steps: Option<usize>) -> Self {
         let first = self.parts[0];
-        let parts = vec![Part { pace, steps: first.steps.min(most), length: None, ..first }];
+        let parts = vec![Part { pace, steps: steps.unwrap_or(first.steps), length: None, ..first }];
         Self { parts, ground: self.ground.clone(), way: self.way }
     }
 
@@ -464,57 +462,6 @@ fn steps_of(
     steps.collect()
 }
 
-/// How many steps a distance takes, and the length of the pace.
-fn to_distance(
-    distance: f64,
-    ground: &WalkGround,
-    leg: &LegGeometry,
-    pace: Pace,
-    law: &StepLaw,
-) -> (usize, f64) {
-    let parts = |n: usize, length: f64| -> Vec<f64> {
-        match ground {
-            WalkGround::Level => {
-                let walked = eased(vec![pace; n], law.tempo).into_iter();
-                walked.map(|walked| walked.step_length / pace.step_length).collect()
-            }
-            WalkGround::Slope(slope) => (0..n).map(|i| Terrain::part_on_slope(*slope, i, n)).collect(),
-            WalkGround::Relief(relief) => {
-                Terrain::parts_on_relief(relief, leg, length, n).unwrap_or_else(|| vec![1.0; n])
-            }
-            _ => vec![1.0; n],
-        }
-    };
-    let (n, length) = steps::for_distance(distance, pace.step_length, |n| parts(n, pace.step_length));
-    if !matches!(ground, WalkGround::Relief(_)) {
-        return (n, length);
-    }
-    // Longer or shorter steps meet other slopes, and where one finds no place those before it are fitted: from one length on all may be others, so that
-    // there may be none of n steps that lead there, but of one more.
-    let total = |(n, length): (usize, f64)| -> f64 {
-        steps::factors(n).zip(parts(n, length)).map(|(factor, part)| factor * part * length).sum()
-    };
-    let off = |found: (usize, f64)| (total(found) - distance).abs();
-    let settled = |(n, from): (usize, f64)| {
-        (n, (0..SETTLES).fold(from, |length, _| length * distance / total((n, length))))
-    };
-    let factors = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
-    let starts = [n, n + 1].into_iter().flat_map(|count| {
-        let even = length * n as f64 / count as f64;
-        factors.clone().map(move |factor| (count, even * factor))
-    });
-    let mut nearest = (n, length);
-    for found in starts.map(settled) {
-        if off(found) < off(nearest) {
-            nearest = found;
-        }
-        if off(nearest) < 1e-9 * distance {
-            break;
-        }
-    }
-    nearest
-}
-
 /// How long steps are on this ground over those on level ground.
 fn on_slope(ground: &WalkGround) -> f64 {
     if let WalkGround::Slope(slope) = ground { step_length_on_slope(*slope) } else { 1.0 }
@@ -534,7 +481,7 @@ fn is_steady(steps: &[&Part], paces: &[Pace], i: usize) -> bool {
 
 /// The paces of steps that gain and lose no more than they may, for step frequencies of this `tempo`; a step that is slower is shorter
 /// by as much.
-fn eased(mut steps: Vec<Pace>, tempo: f64) -> Vec<Pace> {
+pub(super) fn eased(mut steps: Vec<Pace>, tempo: f64) -> Vec<Pace> {
     let (ends, loss, gain) = (ENDS * tempo, LOSS * tempo, (GAIN.0 * tempo, GAIN.1 * tempo));
     let limit = |pace: &mut Pace, most: f64| {
         if pace.step_frequency > most {

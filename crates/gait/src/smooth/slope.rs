@@ -26,7 +26,7 @@ pub fn step_length_on_slope(slope: f64) -> f64 {
 const COP_BEHIND_BALL: f64 = 0.010;
 const COP_APART: f64 = 0.01;
 
-/// The least factor of the pressure's quick way forward: that of slow steps is small on level ground, and uphill less by as much as that of all others.
+/// The least factor of the pressure's quick way forward on a slope: that of slow steps is small on level ground, and uphill less by as much as that of all others.
 const LEAST_COP_FORWARD: f64 = 0.2;
 
 /// Slopes, either way, from which on the push is rounded off fully (rad), and by how much (rad).

@@ -3,12 +3,12 @@
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
-use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
+use crate::request::{Extent, STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
 use crate::smooth::backward::either_way;
 use crate::smooth::lopsided::is_lopsided;
 use crate::smooth::options;
 use crate::smooth::planner::Planner;
-use crate::smooth::route::Route;
+use crate::smooth::route::{DECIDE, Route};
 use crate::smooth::style::Style;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
@@ -84,8 +84,9 @@ fn forward_from(
     };
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
-            let error = nearest_part(error, request, |part| planned(request, part));
-            return advise_on_ground(error, request, |request| planner.planned_at_pace(request, 1.0).is_ok());
+            let error = nearest_part(error, request, |part| planned(&shortened(request), part));
+            let holds = |request: &WalkRequest| planner.planned_at_pace(&shortened(request), 1.0).is_ok();
+            return advise_on_ground(error, request, holds);
         }
         match planner.route(request, 1.0) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {
@@ -102,6 +103,16 @@ fn forward_from(
         }
     })?;
     Ok(if request.left_first { plan.mirrored() } else { plan })
+}
+
+/// A request for as many steps on a slope as decide whether it holds.
+fn shortened(request: &WalkRequest) -> Cow<'_, WalkRequest> {
+    match (&request.ground, request.extent) {
+        (WalkGround::Slope(_), Extent::Steps(steps)) if steps > DECIDE => {
+            Cow::Owned(WalkRequest { extent: Extent::Steps(DECIDE), ..request.clone() })
+        }
+        _ => Cow::Borrowed(request),
+    }
 }
 
 /// The body as a walk is planned, right foot first: of one that is heavier on one side the mirror image, where the left foot goes first.

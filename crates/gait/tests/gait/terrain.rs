@@ -138,6 +138,17 @@ fn what_is_asked_for_on_a_slope_is_walked() {
     };
     let plan = walk(&ann, &steep).expect("a walk");
     assert!((middle(&plan).1 - 0.53).abs() < 1e-9 && plan.style().step_frequency < 66.5);
+    // So do those of a distance.
+    for (slope, step_frequency, distance) in [(13f64, 60.0, 4.0), (15.0, 80.0, 4.33), (15.0, 75.0, 6.0)] {
+        let far = WalkRequest {
+            step_frequency: Some(step_frequency),
+            ground: WalkGround::Slope(slope.to_radians()),
+            extent: Extent::Distance(distance),
+            ..WalkRequest::default()
+        };
+        let plan = walk(&ann, &far).unwrap_or_else(|error| panic!("{slope}°: {error}"));
+        assert!((plan.destination().0.z - distance).abs() < 1e-9);
+    }
     // As short as no person walks at this pace, named by what is asked for.
     let short = WalkRequest { step_length: Some(0.4), step_frequency: Some(100.0), ..steep };
     let short = WalkRequest { speed: None, ..short };
@@ -323,5 +334,13 @@ fn a_distance_over_a_ramp_is_met() {
         let plan = walk(&ann, &asked).unwrap_or_else(|error| panic!("{slope}°: {error}"));
         let off = plan.destination().0.z - distance;
         assert!(off.abs() < 1e-6, "{slope}°: {off} m beside {distance} m");
+    }
+    // Before a kerb and after it, where steps fewer, more, shorter and longer are what leads there.
+    for (height, distance) in [(0.06, 3.65), (0.06, 4.25), (0.06, 6.0), (-0.12, 4.1), (-0.12, 2.6)] {
+        let kerb = relief(&[[3.0, 0.0], [3.0, height]]);
+        let asked = WalkRequest { extent: Extent::Distance(distance), ..request(kerb, 100.0) };
+        let plan = walk(&ann, &asked).unwrap_or_else(|error| panic!("kerb of {height} m: {error}"));
+        let off = plan.destination().0.z - distance;
+        assert!(off.abs() < 1e-6, "kerb of {height} m: {off} m beside {distance} m");
     }
 }

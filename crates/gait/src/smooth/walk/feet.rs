@@ -239,12 +239,9 @@ fn lands_as_flat(laws: &WalkLaws, episode: &Episode, more_bent: f64) -> f64 {
     }
     let part = |value: f64, (from, range): (f64, f64)| step::quintic((value - from) / range).position;
     let [bent, tilted, slow] = LANDS_AS_FLAT;
-    let slow = match episode.kind {
-        Kind::Last => 1.0,
-        _ if episode.index == 1 => 1.0,
-        _ => part(laws.stride_of(episode.index), slow),
-    };
-    slow * part(more_bent, bent) * part(episode.print.tilt, tilted)
+    let is_end = episode.index == 1 || episode.kind == Kind::Last;
+    let of_this_step = if is_end { 1.0 } else { part(laws.stride_of(episode.index), slow) };
+    of_this_step * part(more_bent, bent) * part(episode.print.tilt, tilted)
 }
 
 /// Length of a turning step over its pace's; 1 straight on.

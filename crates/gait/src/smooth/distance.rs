@@ -1,0 +1,86 @@
+//! How many steps lead to a distance, and how long they are.
+
+use crate::body::LegGeometry;
+use crate::request::WalkGround;
+use crate::request::pace::{Pace, STEP_LENGTH_MARGIN};
+use crate::smooth::route::eased;
+use crate::smooth::walk::{Terrain, steps};
+use solaris_model::Relief;
+
+/// How often the steps over a relief are fitted to where they lead.
+const SETTLES: usize = 20;
+/// From how many per cent longer and shorter steps on that is tried at most.
+const MOST_STARTS: u32 = 12;
+/// What counts as there, of the distance.
+const THERE: f64 = 1e-9;
+
+/// How many steps a distance (m) takes on this ground, and the length of the pace, for step frequencies of this `tempo`. Over a relief as near to it as
+/// feet find places.
+pub(super) fn to_distance(
+    distance: f64,
+    ground: &WalkGround,
+    leg: &LegGeometry,
+    pace: Pace,
+    tempo: f64,
+) -> (usize, f64) {
+    let parts = |n: usize| -> Vec<f64> {
+        match ground {
+            WalkGround::Level => {
+                let walked = eased(vec![pace; n], tempo).into_iter();
+                walked.map(|walked| walked.step_length / pace.step_length).collect()
+            }
+            WalkGround::Slope(slope) => (0..n).map(|i| Terrain::part_on_slope(*slope, i, n)).collect(),
+            WalkGround::Relief(relief) => {
+                Terrain::parts_on_relief(relief, leg, pace.step_length, n).unwrap_or_else(|| vec![1.0; n])
+            }
+            _ => vec![1.0; n],
+        }
+    };
+    let even = steps::for_distance(distance, pace.step_length, parts);
+    match ground {
+        WalkGround::Relief(relief) => over_relief(distance, relief, leg, pace, even).unwrap_or(even),
+        _ => even,
+    }
+}
+
+/// Steps to a distance over a relief, from `even` ones that lead there or nearly. Longer or shorter steps meet other slopes, and where a foot finds no place
+/// those before it are fitted: from one length on all may be others, so that of so many steps there may be none that lead there, but of one more or less.
+fn over_relief(
+    distance: f64,
+    relief: &Relief,
+    leg: &LegGeometry,
+    pace: Pace,
+    (count, length): (usize, f64),
+) -> Option<(usize, f64)> {
+    let total = |n: usize, length: f64| -> Option<f64> {
+        let parts = Terrain::parts_on_relief(relief, leg, length, n)?;
+        Some(steps::factors(n).zip(parts).map(|(factor, part)| factor * part * length).sum())
+    };
+    // The length to which steps settle, and by how much it misses; none where a foot finds no place.
+    let settled = |n: usize, from: f64| -> Option<(f64, f64)> {
+        let mut length = from;
+        for _ in 0..SETTLES {
+            length *= distance / total(n, length)?;
+        }
+        Some((length, (total(n, length)? - distance).abs()))
+    };
+    let longest = (1.0 + STEP_LENGTH_MARGIN) * pace.step_length;
+    let stretched = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
+    let mut nearest: Option<(usize, f64, f64)> = None;
+    for n in [count, count + 1, count - 1].into_iter().filter(|&n| n > 0) {
+        let even = length * count as f64 / n as f64;
+        for (length, off) in stretched.clone().filter_map(|stretched| settled(n, even * stretched)) {
+            let is_nearer = nearest.is_none_or(|(_, _, least)| off < least);
+            if length <= longest && is_nearer {
+                nearest = Some((n, length, off));
+            }
+            if nearest.is_some_and(|(_, _, least)| least < THERE * distance) {
+                break;
+            }
+        }
+        if nearest.is_some_and(|(_, _, least)| least < THERE * distance) {
+            break;
+        }
+    }
+    nearest.map(|(n, length, _)| (n, length))
+}
