@@ -3,6 +3,7 @@
 mod backward;
 mod band;
 mod distance;
+mod ends;
 mod footfall;
 mod laid;
 pub(crate) mod laws;

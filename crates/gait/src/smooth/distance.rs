@@ -3,7 +3,7 @@
 use crate::body::LegGeometry;
 use crate::request::WalkGround;
 use crate::request::pace::{Pace, STEP_LENGTH_MARGIN};
-use crate::smooth::route::eased;
+use crate::smooth::ends::eased;
 use crate::smooth::walk::{Terrain, steps};
 use solaris_model::Relief;
 
@@ -31,7 +31,7 @@ pub(super) fn to_distance(
             }
             WalkGround::Slope(slope) => (0..n).map(|i| Terrain::part_on_slope(*slope, i, n)).collect(),
             WalkGround::Relief(relief) => {
-                Terrain::parts_on_relief(relief, leg, pace.step_length, n).unwrap_or_else(|| vec![1.0; n])
+                parts_on(relief, leg, n, pace.step_length).unwrap_or_else(|| vec![1.0; n])
             }
             _ => vec![1.0; n],
         }
@@ -53,7 +53,7 @@ fn over_relief(
     (count, length): (usize, f64),
 ) -> Option<(usize, f64)> {
     let total = |n: usize, length: f64| -> Option<f64> {
-        let parts = Terrain::parts_on_relief(relief, leg, length, n)?;
+        let parts = parts_on(relief, leg, n, length)?;
         Some(steps::factors(n).zip(parts).map(|(factor, part)| factor * part * length).sum())
     };
     // The length to which steps settle, and by how much it misses; none where a foot finds no place.
@@ -83,4 +83,9 @@ fn over_relief(
         }
     }
     nearest.map(|(n, length, _)| (n, length))
+}
+
+/// How long `n` steps over a relief are, over those of a walk with steps of this length (m) on level ground.
+fn parts_on(relief: &Relief, leg: &LegGeometry, n: usize, length: f64) -> Option<Vec<f64>> {
+    Terrain::parts_on_relief(relief, leg, length, &steps::even(n, length))
 }

@@ -9,6 +9,7 @@ use crate::request::{
     WalkPath, WalkRequest, check_turned,
 };
 use crate::smooth::distance::to_distance;
+use crate::smooth::ends::{ENDS, eased};
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
 use crate::smooth::stride::StridePlan;
@@ -17,15 +18,6 @@ use crate::smooth::styling::{Gone, Styling};
 use crate::smooth::walk::{
     Easing, Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, Way, steps,
 };
-
-/// The fastest first and last step (steps/min).
-const ENDS: f64 = 110.0;
-/// What a step may gain over the one before: up to the frequency of the ends, and above it (steps/min).
-const GAIN: (f64, f64) = (20.0, 5.0);
-/// How much longer than the one before a step above the frequency of the ends may be.
-const LENGTHENING: f64 = 1.12;
-/// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
-const LOSS: f64 = 10.0;
 
 /// The step frequency of short steps that turn, where none is given (steps/min).
 const TURNING_STEP_FREQUENCY: f64 = 90.0;
@@ -477,29 +469,4 @@ fn is_steady(steps: &[&Part], paces: &[Pace], i: usize) -> bool {
         && i + LAST_STEPS < steps.len()
         && !steps[within(NEAR_A_TURN)].iter().any(turns)
         && paces[within(1)].iter().all(|pace| *pace == paces[i])
-}
-
-/// The paces of steps that gain and lose no more than they may, for step frequencies of this `tempo`; a step that is slower is shorter
-/// by as much.
-pub(super) fn eased(mut steps: Vec<Pace>, tempo: f64) -> Vec<Pace> {
-    let (ends, loss, gain) = (ENDS * tempo, LOSS * tempo, (GAIN.0 * tempo, GAIN.1 * tempo));
-    let limit = |pace: &mut Pace, most: f64| {
-        if pace.step_frequency > most {
-            pace.step_length *= most / pace.step_frequency;
-            pace.step_frequency = most;
-        }
-    };
-    let (mut most, mut longest) = (ends, f64::INFINITY);
-    for pace in &mut steps {
-        limit(pace, most);
-        if pace.step_frequency > ends {
-            pace.step_length = pace.step_length.min(longest);
-        }
-        most = (pace.step_frequency + gain.0).min(ends).max(pace.step_frequency + gain.1);
-        longest = pace.step_length * LENGTHENING;
-    }
-    for (before_last, pace) in steps.iter_mut().rev().enumerate() {
-        limit(pace, ends + loss * before_last as f64);
-    }
-    steps
 }

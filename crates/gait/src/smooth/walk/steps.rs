@@ -40,7 +40,7 @@ impl Steps<'_> {
 }
 
 /// `n` steps of one pace, ahead.
-pub(super) fn even(n: usize, step_length: f64) -> Vec<Step> {
+pub(crate) fn even(n: usize, step_length: f64) -> Vec<Step> {
     factors(n).map(|factor| Step::along_an_arc(0, factor * step_length, 0.0)).collect()
 }
 

@@ -1,7 +1,6 @@
 //! Where feet are set down on ground that is not level.
 
 use super::course::Step;
-use super::steps::even;
 use crate::body::LegGeometry;
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
@@ -203,17 +202,15 @@ impl Terrain {
         Ok(Self { relief, steps, kinds, standing: 0.0 })
     }
 
-    /// How long `n` steps over a relief are, over what those of a walk with steps of this length (m) are on level ground; `None` where a foot finds no
-    /// place.
+    /// How long the steps over a relief are, over what these level ones of a pace whose steps are `usual` long (m) are; `None` where a foot finds no place.
     pub(crate) fn parts_on_relief(
         relief: &Relief,
         leg: &LegGeometry,
-        length: f64,
-        n: usize,
+        usual: f64,
+        levels: &[Step],
     ) -> Option<Vec<f64>> {
-        let levels = even(n, length);
-        let found = Self::on_relief(relief, leg, length, &levels).ok()?;
-        Some(found.steps.iter().zip(&levels).map(|(step, level)| step.length / level.length).collect())
+        let found = Self::on_relief(relief, leg, usual, levels).ok()?;
+        Some(found.steps.iter().zip(levels).map(|(step, level)| step.length / level.length).collect())
     }
 
     fn on_relief(relief: &Relief, leg: &LegGeometry, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
