@@ -66,19 +66,18 @@ fn over_relief(
     };
     let longest = (1.0 + STEP_LENGTH_MARGIN) * pace.step_length;
     let stretched = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
-    let mut nearest: Option<(usize, f64, f64)> = None;
-    for n in [count, count + 1, count - 1].into_iter().filter(|&n| n > 0) {
+    let counts = [count, count + 1, count - 1].into_iter().filter(|&n| n > 0);
+    let starts = counts.flat_map(|n| {
         let even = length * count as f64 / n as f64;
-        for (length, off) in stretched.clone().filter_map(|stretched| settled(n, even * stretched)) {
-            let is_nearer = nearest.is_none_or(|(_, _, least)| off < least);
-            if length <= longest && is_nearer {
-                nearest = Some((n, length, off));
-            }
-            if nearest.is_some_and(|(_, _, least)| least < THERE * distance) {
-                break;
-            }
+        stretched.clone().map(move |stretched| (n, even * stretched))
+    });
+    let mut nearest: Option<(usize, f64, f64)> = None;
+    for (n, from) in starts {
+        let Some((length, off)) = settled(n, from).filter(|(length, _)| *length <= longest) else { continue };
+        if nearest.is_none_or(|(_, _, least)| off < least) {
+            nearest = Some((n, length, off));
         }
-        if nearest.is_some_and(|(_, _, least)| least < THERE * distance) {
+        if off < THERE * distance {
             break;
         }
     }
