@@ -26,8 +26,9 @@ impl GaitOptions {
     ///
     /// It is the planner's own judgement, no table: both ends were planned whole and hold, and what is a 500th of the number's declared
     /// range beyond an end was planned and does not, or is out of that range. In between three values on either side of the present one were
-    /// planned, and all others are taken to hold. It takes 7 plans where all holds, and up to some thirty, on slopes with up to seven more of some steps for each that does not. As in [`Self::make`], a manner or a
-    /// variability that holds in part is accepted, but where `field` is the variability.
+    /// planned, and all others are taken to hold. It takes 7 plans where all holds, and up to some thirty; on slopes up to seven more, of a
+    /// few steps, for each that does not. As in [`Self::make`], a manner or a variability that holds in part is accepted, but where `field`
+    /// is the variability.
     ///
     /// ```
     /// use solaris_gait::GaitOptions;

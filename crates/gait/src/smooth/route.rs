@@ -294,9 +294,7 @@ impl Route {
     ) -> Result<WalkPlan, GaitError> {
         let pace = self.level_pace();
         let count = self.count();
-        let levels: Vec<Step> = steps::factors(count)
-            .map(|factor| Step::along_an_arc(0, factor * pace.step_length, 0.0))
-            .collect();
+        let levels = steps::even(count, pace.step_length);
         let table = StyleTable::on_ground();
         // Feet stay as far apart as the pace has them, however long a step is.
         let level = styling.style_from(&table, body, &pace)?;
