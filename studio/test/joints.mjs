@@ -181,6 +181,52 @@ test('frozen, free, servo and move are written, and the run ends where they lead
   assert.ok(Math.abs(heights[0] - heights[1]) < 1e-4, 'it stays');
 });
 
+test('what is typed faster than the engine writes it is kept', async (t) => {
+  const page = await openJoints(t);
+  if (!page) return;
+  await find(page, 'left elbow', 'left_elbow');
+  const name = 'left_elbow.rx';
+  await choose(page, name, 'Servo');
+  await hasText(page, `"${name}": Servo`);
+  await page.waitForFunction(() => studio.document.outline);
+  // Edits wait until they are let go, one by one.
+  await page.evaluate(() => {
+    const { engine } = studio;
+    const call = engine.call.bind(engine);
+    Object.assign(globalThis, { held: [], checks: 0 });
+    studio.document.onCheck(() => (checks += 1));
+    engine.call = async (name, ...more) => {
+      const value = await call(name, ...more);
+      if (name === 'editScene') await new Promise((go) => held.push(go));
+      return value;
+    };
+  });
+  const letGo = async () => {
+    await page.waitForFunction(() => held.length > 0);
+    await page.evaluate(() => held.shift()());
+  };
+  const field = (label) => dof(page, name).getByLabel(label);
+  await type(field('To (°)'), -40);
+  await type(field('Stiffness (N m/rad)'), 60);
+  await letGo();
+  // The first is in the text and checked, the second is not.
+  await page.waitForFunction(() => checks === 1);
+  assert.equal(await field('Stiffness (N m/rad)').inputValue(), '60');
+  await type(field('Damping (N m s/rad)'), 6);
+  await letGo();
+  await letGo();
+  await hasText(page, `"${name}": Servo(to: deg(-40), stiffness: 60.0, damping: 6.0)`);
+  // And of the person.
+  await page.click('summary:text-is("Figure, ground, duration")');
+  await type(page.getByLabel('Height of the person (m)'), 1.9);
+  await page.waitForFunction(() => held.length > 0);
+  await type(page.getByLabel('Mass of the person (kg)'), 90);
+  await letGo();
+  await hasText(page, 'height: 1.9');
+  await letGo();
+  await hasText(page, 'Human(height: 1.9, mass: 90.0)');
+});
+
 test('drives follow one another in a row that is written by keys and clicks', async (t) => {
   const page = await openJoints(t);
   if (!page) return;

@@ -27,7 +27,7 @@ export interface Around {
   isLive(): boolean;
   // Another place of a degree of freedom, or another target while it plays live.
   moves(dof: Dof, to: number): Promise<void>;
-  write(edits: Edit[]): void;
+  write(edits: Edit[]): Promise<void>;
   openText(): void;
 }
 
@@ -78,7 +78,7 @@ export function makeChosen(at: JointState, text: SceneDocument, { engine, isLive
     const modes: [string, string][] = [['', 'each by itself'], ['Frozen', 'Frozen'], ['Free', 'Free'], ...(whole ? [] : [['Servo', 'Spring, servo'] as [string, string]]), ['others', 'as the others']];
     const mode = choose('Whole joint', modes, whole && said.from === null ? said.text : '', (kind) => {
       const names = whole ? [joint.name] : joint.dofs.map(({ name }) => name);
-      write([
+      void write([
         // What the joint's own name says is said by its parts from now on.
         ...(whole ? [] : [{ path: ['drives', quote(joint.name)], value: null }]),
         ...names.map((name, i) => {

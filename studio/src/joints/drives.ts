@@ -27,7 +27,8 @@ export interface DrivesContext {
   duration(): number;
   // Where it begins (rad, m).
   at(dof: Dof): number;
-  write(name: string, text: string | null): void;
+  // Done when the scene's text has it.
+  write(name: string, text: string | null): Promise<void>;
   openText(): void;
 }
 
@@ -70,6 +71,8 @@ export function makeDrives(context: DrivesContext, dof: Dof): Drives {
   let inherited: string | null = null;
   let went: Outcome[] = [];
   let chosen: number | null = null;
+  // Writes that the scene's text does not have yet: what it says meanwhile is older than what stands here.
+  let pending = 0;
 
   const bars = el('div', { class: 'bars', role: 'group', 'aria-label': `${name}: what drives it, over the time` });
   const form = el('div', { class: 'drive-form', hidden: true });
@@ -84,7 +87,8 @@ export function makeDrives(context: DrivesContext, dof: Dof): Drives {
     went = [];
     shown = joined(segments);
     drawBars();
-    context.write(name, shown);
+    pending += 1;
+    void context.write(name, shown).finally(() => (pending -= 1));
   }
   const change = (i: number, by: Partial<Segment>): void => commit(segments.map((segment, k) => (k === i ? renewed({ ...segment, ...by }, turns) : segment)));
 
@@ -104,7 +108,7 @@ export function makeDrives(context: DrivesContext, dof: Dof): Drives {
   function cut(i: number): void {
     chosen = segments.length > 1 ? Math.max(0, i - 1) : null;
     if (segments.length > 1) commit(segments.filter((_, k) => k !== i));
-    else context.write(name, null);
+    else void context.write(name, null);
     drawForm();
     focusBar();
   }
@@ -287,7 +291,7 @@ export function makeDrives(context: DrivesContext, dof: Dof): Drives {
         button('Earlier', () => shift(i, -1), { disabled: i === 0 }),
         button('Later', () => shift(i, 1), { disabled: i === segments.length - 1 }),
         button('Remove', () => cut(i)),
-        inherited === null ? button('As the others', () => context.write(name, null), { title: `Nothing of its own for ${name}: what a pattern says` }) : '',
+        inherited === null ? button('As the others', () => void context.write(name, null), { title: `Nothing of its own for ${name}: what a pattern says` }) : '',
       ),
       inherited !== null ? el('p', { class: 'remark' }, `As “${inherited}” says; a change makes it its own.`) : '',
     );
@@ -302,7 +306,7 @@ export function makeDrives(context: DrivesContext, dof: Dof): Drives {
     element,
     set(text, from) {
       // What was written here stands here already.
-      if (text === shown && from === inherited) return drawBars();
+      if (pending > 0 || (text === shown && from === inherited)) return drawBars();
       [shown, inherited, went] = [text, from, []];
       segments = readSegments(text);
       if (chosen !== null && chosen >= segments.length) chosen = null;

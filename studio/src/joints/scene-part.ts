@@ -15,14 +15,19 @@ export interface ScenePart {
   sync(tree: Node | null): void;
 }
 
-export function makeScenePart(app: App, text: SceneDocument, write: (edits: Edit[]) => void, openText: () => void): ScenePart {
+export function makeScenePart(app: App, text: SceneDocument, write: (edits: Edit[]) => Promise<void>, openText: () => void): ScenePart {
   let name = 'ann';
   // A person as the text has it, without its brackets.
   let more: [string, string][] = [];
   const who = { height: 1.75, mass: 73 };
   const person = (limp: boolean): string =>
     `Human(${[['height', plain(who.height)], ['mass', plain(who.mass)], ...more.filter(([one]) => one !== 'joints'), ...(limp ? [['joints', 'Limp']] : [])].map(([one, value]) => `${one}: ${value}`).join(', ')})`;
-  const put = (figure: string): void => write([{ path: ['figures', quote(name)], value: figure }]);
+  // Writes that the text does not have yet: what it says of the person meanwhile is older than what stands here.
+  let pending = 0;
+  const put = (figure: string): void => {
+    pending += 1;
+    void write([{ path: ['figures', quote(name)], value: figure }]).finally(() => (pending -= 1));
+  };
   const figure = choose('Figure', [[PERSON, 'A person'], [LIMP, 'A limp person']], PERSON, (value) => {
     if (value.startsWith(FILE)) put(`File(${quote(value.slice(FILE.length))})`);
     else put(person(value === LIMP));
@@ -39,11 +44,11 @@ export function makeScenePart(app: App, text: SceneDocument, write: (edits: Edit
     input.addEventListener('change', () => change(input.checked));
     return { element: el('label', { class: 'tick' }, input, label), input };
   };
-  const ground = ticked('Ground, to stand on', (on) => write([{ path: ['ground'], value: on ? 'Flat(friction: 0.8, stand: true)' : null }]));
-  const gravity = ticked('Gravity', (on) => write([{ path: ['gravity'], value: on ? null : '(0.0, 0.0, 0.0)' }]));
-  const duration = typed('Duration', 's', (value) => write([{ path: ['duration'], value: plain(value) }]));
+  const ground = ticked('Ground, to stand on', (on) => void write([{ path: ['ground'], value: on ? 'Flat(friction: 0.8, stand: true)' : null }]));
+  const gravity = ticked('Gravity', (on) => void write([{ path: ['gravity'], value: on ? null : '(0.0, 0.0, 0.0)' }]));
+  const duration = typed('Duration', 's', (value) => void write([{ path: ['duration'], value: plain(value) }]));
   const several = el('p', { class: 'remark', hidden: true });
-  const anew = button('Begin anew with this figure', () => write([{ path: ['drives'], value: '{"*": Frozen}' }, { path: ['start'], value: null }]), {
+  const anew = button('Begin anew with this figure', () => void write([{ path: ['drives'], value: '{"*": Frozen}' }, { path: ['start'], value: null }]), {
     hidden: true,
     title: 'What the scene says of joints that this figure does not have is taken away',
   });
@@ -72,7 +77,7 @@ export function makeScenePart(app: App, text: SceneDocument, write: (edits: Edit
     if (only) name = only.key;
     const isPerson = value?.name === 'Human';
     const file = value?.name === 'File' ? (value.items?.[0]?.text ?? field(value, 'path')?.text) : undefined;
-    if (isPerson) {
+    if (isPerson && pending === 0) {
       who.height = scalar(field(value, 'height')) ?? who.height;
       who.mass = scalar(field(value, 'mass')) ?? who.mass;
       more = [...(value?.fields ?? [])].filter(([one]) => one !== 'height' && one !== 'mass').map(([one, node]) => [one, said(node)]);

@@ -85,11 +85,11 @@ export function makeJointsPanel(app: App, text: SceneDocument): void {
     engine: app.engine,
     isLive: () => live.on,
     moves: async (dof, to) => (live.on ? live.target(dof.index, to) : moveTo(dof, to)),
-    write: (edits) => void write(edits),
+    write,
     openText,
   });
   const reach = choose('A drag with Shift moves', [['0', 'the limb'], ...[1, 2, 3, 4, 6].map((n): [string, string] => [String(n), n === 1 ? 'one joint' : `up to ${n} joints`])], '0', () => {});
-  const scenePart = makeScenePart(app, text, (edits) => void write(edits), openText);
+  const scenePart = makeScenePart(app, text, write, openText);
   const element = el(
     'div',
     { class: 'joints' },
