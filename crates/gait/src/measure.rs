@@ -5,6 +5,7 @@
 mod bands;
 mod feet;
 mod isolated;
+mod joints;
 pub(crate) mod peaks;
 mod range;
 mod series;
@@ -21,6 +22,7 @@ pub use steady_run::{RUN_BANDS, RunBand, SteadyRun, measure_run, run_bands};
 
 use crate::body::FEET;
 use crate::error::GaitError;
+use joints::JointSeries;
 use series::Series;
 use solaris_model::{EventKind, Figure, Motion};
 
@@ -149,56 +151,71 @@ fn angle_in_degrees<S: serde::Serializer>(angle: &f64, serializer: S) -> Result<
 ///
 /// A motion without ground reactions or joint forces.
 pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitError> {
+    let joints = JointSeries::new(figure, motion)?;
     let series = Series::new(figure, motion)?;
-    let (sink, cop_outside) = feet::sink_and_cop(figure, motion, &series);
     let contacts: Vec<(f64, usize)> = touch_downs(motion);
-    let steps = contacts.len().saturating_sub(1);
-    let (sense, last) = (series.sense, motion.len() - 1);
-    let along = |sample: usize| sense * series.com[sample].z;
-    let percent = 100.0 / series.weight;
-    let force = |f: fn(&nalgebra::Vector3<f64>) -> f64, sign: f64| {
-        let values = |side: usize| series.forces[side].iter().map(move |force| sign * percent * f(force));
-        let peak = series.greatest(values(0)).max(series.greatest(values(1)));
-        Peak { value: sign * peak.value, ..peak }
-    };
-    let extremes = WalkExtremes {
-        vertical: force(|f| f.y, 1.0),
-        braking: force(|f| f.z, -sense),
-        pushing: force(|f| f.z, sense),
-        friction: series.greatest((0..motion.len()).map(|i| {
-            let total = series.forces[0][i] + series.forces[1][i];
-            total.x.hypot(total.z) / total.y
-        })),
-        foot_friction: series.greatest((0..motion.len()).map(|i| {
-            let loaded = series.forces.iter().map(|forces| forces[i]).filter(|f| f.y > 0.05 * series.weight);
-            loaded.map(|f| f.x.hypot(f.z) / f.y).fold(0.0, f64::max)
-        })),
-        slide: feet::slide(motion, &series),
-        sink,
-        clearance: feet::clearance(figure, motion, &series),
-        cop_outside,
-        least_knee: {
-            let knees = (0..motion.len()).map(|i| -series.knee[0][i].min(series.knee[1][i]));
-            let peak = series.greatest(knees);
-            Peak { value: -peak.value, ..peak }
-        },
-        beyond_range: range::beyond_range(figure, motion, &series),
-    };
+    let along = |sample: usize| series.sense * series.com[sample].z;
+    let last = motion.len() - 1;
     let double_supports = double_supports(motion, &contacts);
     Ok(WalkMeasures {
-        steps,
+        steps: contacts.len().saturating_sub(1),
         distance: along(last) - along(0),
         duration: motion.time()[last],
-        extremes,
-        joints: series.joint_peaks(),
+        extremes: WalkExtremes::of(figure, motion, &series),
+        joints: joints.peaks(&series),
         // Without double support it is a run, whose stride has other measures.
         steady: if double_supports.is_empty() {
             None
         } else {
-            SteadyStride::find(motion, &series, &contacts)
+            SteadyStride::find(motion, &series, &joints, &contacts)
         },
         double_supports,
     })
+}
+
+/// Only the greatest and least values of a walk, whose joint forces need not be known.
+///
+/// # Errors
+///
+/// A motion without ground reactions.
+pub(crate) fn extremes(figure: &Figure, motion: &Motion) -> Result<WalkExtremes, GaitError> {
+    Ok(WalkExtremes::of(figure, motion, &Series::new(figure, motion)?))
+}
+
+impl WalkExtremes {
+    fn of(figure: &Figure, motion: &Motion, series: &Series<'_>) -> Self {
+        let (sink, cop_outside) = feet::sink_and_cop(figure, motion, series);
+        let percent = 100.0 / series.weight;
+        let force = |f: fn(&nalgebra::Vector3<f64>) -> f64, sign: f64| {
+            let values = |side: usize| series.forces[side].iter().map(move |force| sign * percent * f(force));
+            let peak = series.greatest(values(0)).max(series.greatest(values(1)));
+            Peak { value: sign * peak.value, ..peak }
+        };
+        Self {
+            vertical: force(|f| f.y, 1.0),
+            braking: force(|f| f.z, -series.sense),
+            pushing: force(|f| f.z, series.sense),
+            friction: series.greatest((0..motion.len()).map(|i| {
+                let total = series.forces[0][i] + series.forces[1][i];
+                total.x.hypot(total.z) / total.y
+            })),
+            foot_friction: series.greatest((0..motion.len()).map(|i| {
+                let loaded =
+                    series.forces.iter().map(|forces| forces[i]).filter(|f| f.y > 0.05 * series.weight);
+                loaded.map(|f| f.x.hypot(f.z) / f.y).fold(0.0, f64::max)
+            })),
+            slide: feet::slide(motion, series),
+            sink,
+            clearance: feet::clearance(figure, motion, series),
+            cop_outside,
+            least_knee: {
+                let knees = (0..motion.len()).map(|i| -series.knee[0][i].min(series.knee[1][i]));
+                let peak = series.greatest(knees);
+                Peak { value: -peak.value, ..peak }
+            },
+            beyond_range: range::beyond_range(figure, motion, series),
+        }
+    }
 }
 
 /// Measures a motion that is one steady stride, from left contact to left contact.
@@ -207,9 +224,10 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
 ///
 /// A motion without ground reactions or joint forces.
 pub fn measure_stride(figure: &Figure, motion: &Motion) -> Result<SteadyStride, GaitError> {
+    let joints = JointSeries::new(figure, motion)?;
     let series = Series::new(figure, motion)?;
     let time = motion.time();
-    Ok(SteadyStride::of(motion, &series, (time[0], time[time.len() - 1])))
+    Ok(SteadyStride::of(motion, &series, &joints, (time[0], time[time.len() - 1])))
 }
 
 /// Times this near are one (s).

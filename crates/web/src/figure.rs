@@ -84,6 +84,7 @@ impl Figure {
     }
 
     /// Its text, which `Figure.fromText` reads back.
+    #[cfg(feature = "usual")]
     #[wasm_bindgen(js_name = toText)]
     pub fn to_text(&self) -> String {
         text::write(&self.figure)

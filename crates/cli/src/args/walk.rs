@@ -151,14 +151,15 @@ pub(crate) struct PaceArgs {
     )))]
     pub(crate) step_frequency: Option<Number>,
     #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
-        "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % at {} steps/min) \
-         [default: people's, {WALK_RATIO}·height·frequency]",
+        "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % at {} steps/min); \
+         on a slope along the level, as the speed [default: people's, {WALK_RATIO}·height·frequency, on a slope up to 4 % \
+         longer or 24 % shorter]",
         STEP_FREQUENCY.1
     )))]
     pub(crate) step_length: Option<Number>,
     #[arg(long, value_name = "M/S", allow_hyphen_values = true, help = wrap(&format!(
-        "Speed of the steady part, {:.2} to {:.2} m/s at a height of {HEIGHT} m; two of speed, frequency and length decide \
-         the third [default: frequency·length]",
+        "Speed of the steady part, {:.2} to {:.2} m/s at a height of {HEIGHT} m on level ground; two of speed, frequency and \
+         length decide the third [default: frequency·length]",
         speed(STEP_FREQUENCY.0), speed(STEP_FREQUENCY.1)
     )))]
     pub(crate) speed: Option<Number>,

@@ -9,9 +9,9 @@ use serde::Serialize;
 use solaris::analysis::NearestLimbs;
 use solaris::gait::{
     BandReport, IsolatedPeak, JointPeaks, SteadyRun, SteadyStride, StyledPlan, WALK_RATIO, WalkExtremes,
-    WalkMeasures, WalkPlan, band_reports, run_bands,
+    WalkMeasures, WalkPlan, band_reports, run_bands, step_length_on_slope,
 };
-use solaris::model::Motion;
+use solaris::model::{Motion, Relief};
 use std::io::Write;
 
 /// Everything that a walk came to.
@@ -62,7 +62,7 @@ pub(crate) struct Walk {
     /// Whether it goes backward, the first walk of several.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub(crate) backward: bool,
-    /// Step length over people's at this height and frequency.
+    /// Step length over people's at this height and frequency; where all ground is one slope, on that.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) step_length_over_peoples: Option<f64>,
     pub(crate) speed_m_s: f64,
@@ -87,6 +87,16 @@ pub(crate) struct Whole {
 pub(crate) struct RunTime {
     pub(crate) planning_s: f64,
     pub(crate) with_forces_s: f64,
+}
+
+/// What people's steps are over height and frequency (min): on ground of any shape that of the level, as is its step length.
+fn peoples(motion: &Motion) -> f64 {
+    match motion.relief.as_ref().map(Relief::points) {
+        Some(&[[from, low], [to, high]]) => {
+            WALK_RATIO * step_length_on_slope(((high - low) / (to - from)).atan())
+        }
+        _ => WALK_RATIO,
+    }
 }
 
 impl Report {
@@ -162,7 +172,7 @@ impl Report {
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
                 step_length_over_peoples: (!matches!(plan, StyledPlan::Run(_)))
-                    .then(|| step_length / (WALK_RATIO * height * step_frequency)),
+                    .then(|| step_length / (peoples(motion) * height * step_frequency)),
                 speed_m_s: step_length * step_frequency / 60.0,
                 distance_m: distance,
                 duration_s: duration,

@@ -1,6 +1,7 @@
 //! One steady stride, from left contact to left contact, in the numbers that gait laboratories report.
 
 use super::SAME_TIME;
+use super::joints::JointSeries;
 use super::peaks::Stance;
 use super::series::Series;
 use super::window::{Window, middle_stride};
@@ -67,7 +68,12 @@ impl SteadyStride {
 
     /// The stride from the middle-most left contact that has three steps before it and two after it, of those that go straight on
     /// along z at an even pace; eight steps have one.
-    pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
+    pub(super) fn find(
+        motion: &Motion,
+        series: &Series<'_>,
+        joints: &JointSeries,
+        contacts: &[(f64, usize)],
+    ) -> Option<Self> {
         // Contacts 1 … n and the closing one: three steps on either side belong to starting and braking.
         let even = |i: usize| {
             // Two steps before it, one after it.
@@ -85,10 +91,10 @@ impl SteadyStride {
         };
         let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0 && even(i));
         let begin = middle_stride(strides, contacts.len())?;
-        Some(Self::of(motion, series, (contacts[begin].0, contacts[begin + 2].0)))
+        Some(Self::of(motion, series, joints, (contacts[begin].0, contacts[begin + 2].0)))
     }
 
-    pub(super) fn of(motion: &Motion, series: &Series<'_>, span: (f64, f64)) -> Self {
+    pub(super) fn of(motion: &Motion, series: &Series<'_>, joints: &JointSeries, span: (f64, f64)) -> Self {
         let (start, end) = span;
         let stride = end - start;
         let window = Window { time: series.time, span };
@@ -110,12 +116,12 @@ impl SteadyStride {
         let total = |i: usize| percent * (left[i].y + series.forces[1][i].y);
         let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
         let (hip, knee, ankle) =
-            (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
+            (degrees(&joints.hip[0]), degrees(&series.knee[0]), degrees(&joints.ankle[0]));
         let range = |f: &dyn Fn(usize) -> f64| window.range(f);
         let pushed = Stance { window: Window { time: series.time, span }, toe_off };
-        let pelvis = |axis: usize| range(&|i| series.pelvis[axis][i].to_degrees());
+        let pelvis = |axis: usize| range(&|i| joints.pelvis[axis][i].to_degrees());
         let moment = |joint: usize, axis: usize, sign: f64| {
-            window.most((0.0, 1.0), &|i| sign * series.moments[0][joint][i][axis])
+            window.most((0.0, 1.0), &|i| sign * joints.moments[0][joint][i][axis])
         };
         let advance =
             series.sense * (window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z));

@@ -1,6 +1,7 @@
 //! One steady stride of a run in the numbers that people are measured by, and bands of these.
 
 use super::bands::{BandCheck, BandReport};
+use super::joints::JointSeries;
 use super::series::Series;
 use super::window::Window;
 use super::{SAME_TIME, touch_downs};
@@ -102,6 +103,7 @@ pub struct SteadyRun {
 ///
 /// A motion without ground reactions or joint forces, or without a stride of the left foot.
 pub fn measure_run(figure: &Figure, motion: &Motion) -> Result<SteadyRun, GaitError> {
+    let joints = JointSeries::new(figure, motion)?;
     let series = Series::new(figure, motion)?;
     let missing =
         || MeasureError::NothingToMeasure { what: "stride of the left foot, from contact to contact" };
@@ -126,10 +128,10 @@ pub fn measure_run(figure: &Figure, motion: &Motion) -> Result<SteadyRun, GaitEr
     let left = &series.forces[0];
     let force = |axis: usize| move |i: usize| left[i][axis] / series.weight;
     let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
-    let (hip, knee, ankle) = (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
+    let (hip, knee, ankle) = (degrees(&joints.hip[0]), degrees(&series.knee[0]), degrees(&joints.ankle[0]));
     let thorax = thorax_lean(figure, motion)?;
     let moment = |joint: usize, axis: usize, sign: f64| {
-        let moments = &series.moments[0][joint];
+        let moments = &joints.moments[0][joint];
         move |i: usize| sign * moments[i][axis]
     };
     let advance = window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z);

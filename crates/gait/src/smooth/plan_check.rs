@@ -2,7 +2,7 @@
 
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
-use crate::measure::{Peak, measure};
+use crate::measure::{Peak, extremes};
 use crate::request::pace::tidy;
 use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
@@ -176,7 +176,7 @@ impl PlanCheck<'_> {
             error => error.into(),
         })?;
         self.check_ranges(plan, &motion)?;
-        let found = measure(self.figure, &motion)?.extremes;
+        let found = extremes(self.figure, &motion)?;
         let fails = |bad: bool, peak: Peak, what: String| {
             if bad { Err(self.refusal(plan, plan.clock_at(peak.time), what)) } else { Ok(()) }
         };
