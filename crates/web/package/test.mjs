@@ -133,6 +133,16 @@ test("options are read from any object", () => {
   assert.deepEqual(walk(ann, { step_frequency: 100, steps: 3, style: { "arm-swing": 10 }, speed: null, label: undefined }).q, usual);
 });
 
+test("hands carry loads, and legs may differ", () => {
+  const laden = Figure.human(1.65, 58, undefined, { load: { right: 5 }, shorterLeg: { left: 0.01 } });
+  assert.ok(Math.abs(laden.mass - 63) < 1e-9);
+  assert.ok(walk(laden, { steps: 4 }).length > 0);
+  assert.equal(lean.Figure.human(1.65, 58, undefined, { load: { left: 2 } }).mass, 60);
+  assert.throws(() => Figure.human(1.65, 58, undefined, { load: { up: 1 } }), /left or right/);
+  assert.throws(() => Figure.human(1.65, 58, undefined, { loads: {} }), /there is no 'loads'; did you mean 'load'/);
+  assert.throws(() => Figure.human(1.65, 58, undefined, { shorterLeg: { left: "1 cm" } }), /shorterLeg\.left must be a number/);
+});
+
 test("what is wrong is said", () => {
   const says = (what, message) => assert.throws(what, (error) => error instanceof Error && message.test(error.message));
   says(() => Figure.human(9, 70), /height 9 m/);

@@ -15,6 +15,8 @@ walker.goTo(1, 2, 1.2);
 const pose: Float64Array = new lean.Walker(lean.Figure.human(1.8, 80, undefined)).step(1 / 60);
 const q: Float64Array = lean.walk(lean.Figure.human(1.8, 80), { speed: 1.2 }).q;
 
+const laden: Figure = Figure.human(1.65, 58, undefined, { load: { right: 5 }, shorterLeg: { left: 0.01 } });
+
 // @ts-expect-error: there is no such option.
 walk(ann, { pase: 100 });
 // @ts-expect-error: it is a number.
@@ -26,4 +28,4 @@ lean.walk(lean.Figure.human(1.8, 80)).toCsv();
 // @ts-expect-error: so are bodies.
 motion.toGlb();
 
-export { body, pose, q, tau };
+export { body, laden, pose, q, tau };

@@ -1,6 +1,7 @@
 //! Figures.
 
 use crate::failed;
+use crate::options::human_options;
 #[cfg(feature = "usual")]
 use solaris::io::{Import, mjcf, urdf};
 #[cfg(feature = "full")]
@@ -19,6 +20,24 @@ const FORMATS: &str = if cfg!(feature = "full") {
 
 /// Gravity where no text says it: y is up (m/s²).
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
+
+#[wasm_bindgen(typescript_custom_section)]
+const OPTIONS: &str = r"
+/** What is more to say of a person. */
+export interface HumanOptions {
+  /** What each hand carries (kg). */
+  load?: { left?: number; right?: number };
+  /** By how much a leg is shorter (m). */
+  shorterLeg?: { left?: number; right?: number };
+}
+";
+
+#[wasm_bindgen]
+extern "C" {
+    /// What is more to say of a person.
+    #[wasm_bindgen(typescript_type = "HumanOptions")]
+    pub type HumanOptions;
+}
 
 /// An articulated figure. It never changes.
 #[wasm_bindgen]
@@ -58,11 +77,19 @@ impl Figure {
 #[wasm_bindgen]
 impl Figure {
     /// A person of this height (m) and mass (kg), with a child's proportions below 18 years; the root turns by its heading first, as
-    /// `Walker` needs it.
-    pub fn human(height: f64, mass: f64, age: Option<f64>) -> Result<Figure, JsError> {
+    /// `Walker` needs it. `more`: what hands carry (kg), and by how much a leg is shorter (m): `{ load: { right: 5 }, shorterLeg: { left: 0.02 } }`.
+    pub fn human(
+        height: f64,
+        mass: f64,
+        age: Option<f64>,
+        more: Option<HumanOptions>,
+    ) -> Result<Figure, JsError> {
         let human = Human::new(height, mass).root(RootOrder::Yzx);
-        let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
-        human.build().map(Self::own).map_err(failed)
+        let human = match age {
+            Some(age) => human.age(age),
+            None => human,
+        };
+        human_options(human, more)?.build().map(Self::own).map_err(failed)
     }
 
     /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"` or `"mjcf"`; with the entry `solaris-motion/full` also `"osim"` or `"sdf"`;

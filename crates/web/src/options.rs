@@ -1,10 +1,11 @@
 //! Plain objects of JavaScript, field by field: what is asked of walks and runs.
 
 use crate::failed;
+use crate::figure::HumanOptions;
 use crate::walk::WalkOptions;
 use js_sys::{Array, Reflect};
 use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
-use solaris::model::nearest;
+use solaris::model::{Human, nearest};
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsError, JsValue};
 
@@ -37,7 +38,7 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         right: fields.text("right")?,
         variability: fields.number("variability")?,
         seed: fields.whole("seed", MOST_SEED)?.unwrap_or_default(),
-        style: fields.get("style", style)?.unwrap_or_default(),
+        style: fields.get("style", named)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
         from_standing: fields.flag("fromStanding")?.unwrap_or_default(),
         to_standing: fields.flag("toStanding")?.unwrap_or_default(),
@@ -75,8 +76,19 @@ fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
     Ok(stairs)
 }
 
-/// Numbers of the style: `armSwing` there is `arm_swing` here.
-fn style(at: &str, given: JsValue) -> Result<BTreeMap<String, f64>, JsError> {
+/// A person with what hands carry and with a shorter leg.
+pub(crate) fn human_options(human: Human, given: Option<HumanOptions>) -> Result<Human, JsError> {
+    let Some(given) = given else { return Ok(human) };
+    let mut fields = Fields::new(&given, "")?;
+    let loads = fields.get("load", named)?.unwrap_or_default();
+    let shorter = fields.get("shorterLeg", named)?.unwrap_or_default();
+    fields.end()?;
+    let human = loads.into_iter().fold(human, |human, (hand, load)| human.load(hand, load));
+    Ok(shorter.into_iter().fold(human, |human, (leg, by)| human.shorter_leg(leg, by)))
+}
+
+/// Numbers by their names, such as those of the style: `armSwing` there is `arm_swing` here.
+fn named(at: &str, given: JsValue) -> Result<BTreeMap<String, f64>, JsError> {
     let mut numbers = BTreeMap::new();
     for key in keys(at, &given)? {
         let at = format!("{at}.{key}");

@@ -37,6 +37,9 @@ export interface Who {
   height: number;
   mass: number;
   age?: number;
+  // What hands carry (kg), and by how much a leg is shorter (m).
+  load?: { left?: number; right?: number };
+  shorterLeg?: { left?: number; right?: number };
 }
 
 export interface Row {

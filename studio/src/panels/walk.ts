@@ -7,8 +7,8 @@ import { button, el, later, latest } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { fold } from '../ui/tabs.ts';
 import type { Body } from '../view.ts';
+import { type Asked, bodyOf, BODY, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, groundOf, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN } from '../walk/asked.ts';
 
-const DEGREE = Math.PI / 180;
 // Body mass over squared height of people (kg/m²), where nobody says a mass.
 const BODY_MASS_INDEX = 23.8;
 // How long a slider rests before it is found within which values it can be (ms).
@@ -16,38 +16,7 @@ const REST = 500;
 // How many of these intervals are kept.
 const KNOWN = 100;
 
-type Options = Record<string, unknown>;
 type Walked = ShownMotion & { report: Record<string, any> };
-
-// A slider of one option; angles are shown in degrees and asked in rad.
-interface Field {
-  name: string;
-  label: string;
-  unit: string;
-  low: number;
-  high: number;
-  step: number;
-  // What it is where it was not touched; undefined: what people do.
-  value: number;
-  // In which unit of the engine one of the shown is.
-  scale?: number;
-  // Of the style, and not of the walk itself.
-  style?: boolean;
-}
-
-const WALK: Field[] = [
-  { name: 'step_frequency', label: 'Pace', unit: 'steps/min', low: 60, high: 130, step: 1, value: 110 },
-  { name: 'step_length', label: 'Step length', unit: 'm', low: 0.3, high: 1.1, step: 0.01, value: 0.72 },
-  { name: 'turn', label: 'Turn a step', unit: '°', low: -30, high: 30, step: 1, value: 0, scale: DEGREE },
-  { name: 'slope', label: 'Slope', unit: '°', low: -15, high: 15, step: 0.5, value: 0, scale: DEGREE },
-];
-const RUN: Field[] = [{ name: 'speed', label: 'Speed', unit: 'm/s', low: 2.2, high: 6, step: 0.1, value: 3 }];
-const STYLE: Field[] = [
-  { name: 'arm_swing', label: 'Arm swing', unit: '°', low: 0, high: 45, step: 1, value: 20, scale: DEGREE, style: true },
-  { name: 'pelvic_rotation', label: 'Pelvic rotation', unit: '°', low: 0, high: 12, step: 0.5, value: 5, scale: DEGREE, style: true },
-  { name: 'step_width', label: 'Step width', unit: 'm', low: 0.02, high: 0.25, step: 0.01, value: 0.1, style: true },
-];
-const MANNERS = ['', 'happy', 'sad', 'tired', 'proud', 'heavy'];
 
 // What was asked of a walk: for links.
 export interface WalkState {
@@ -64,10 +33,11 @@ export interface WalkPanel {
 }
 
 export function makeWalkPanel(app: App): WalkPanel {
-  const asked: Options = { gait: 'walk', steps: 10 };
-  const who: Who = { height: 1.75, mass: 73 };
-  // Which options were touched: the others are what people do.
-  const touched = new Map<string, number>();
+  // Numbers that were not touched are what people do.
+  const asked: Asked = { words: { gait: 'walk', steps: 10 }, touched: new Map() };
+  const { words: said, touched } = asked;
+  const size = { height: 1.75, mass: 73 };
+  const who = (): Who => ({ ...size, ...bodyOf(asked) });
   let rested: string | null = null;
   // The key of the walk that was shown last.
   let own: number | null = null;
@@ -85,21 +55,23 @@ export function makeWalkPanel(app: App): WalkPanel {
       },
     });
     sliders.set(field.name, made);
-    const reset = button('as people do', () => {
+    const usual = STAIRS.includes(field) || BODY.includes(field) ? 'as before' : 'as people do';
+    const reset = button(usual, () => {
       touched.delete(field.name);
+      made.value = field.value;
       moved(field.name);
-    }, { class: 'reset', hidden: true, title: `${field.label}: what people do` });
+    }, { class: 'reset', hidden: true, title: `${field.label}: ${usual}` });
     made.element.append(reset);
     return made.element;
   };
   const body = (name: 'height' | 'mass', label: string, unit: string, low: number, high: number, step: number): HTMLElement => {
     const made = slider({
-      label, unit, low, high, step, value: who[name],
+      label, unit, low, high, step, value: size[name],
       change(value) {
-        who[name] = value;
+        size[name] = value;
         // A person of another height has people's mass, until somebody says one.
         if (name === 'mass') touched.set('mass', value);
-        else if (!touched.has('mass')) sliders.get('mass')!.value = who.mass = Math.round(BODY_MASS_INDEX * value * value);
+        else if (!touched.has('mass')) sliders.get('mass')!.value = size.mass = Math.round(BODY_MASS_INDEX * value * value);
         moved(name);
       },
     });
@@ -114,75 +86,61 @@ export function makeWalkPanel(app: App): WalkPanel {
     return el('label', { class: 'choice' }, el('span', {}, label), select);
   };
 
-  const steps = slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: 10, change: (value) => { asked.steps = Math.round(value); moved('steps'); } });
-  const walkOnly: HTMLElement[] = [];
-  const runOnly: HTMLElement[] = [];
+  // A word that is chosen: what it is empty for is not asked.
+  const word = (name: string, label: string, options: [string, string][]): HTMLElement =>
+    choice(name, label, options, (value) => {
+      said[name] = value || undefined;
+      choose();
+      moved(name);
+    });
+  const steps = slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: 10, change: (value) => { said.steps = Math.round(value); moved('steps'); } });
+  const folded = (title: string, ...children: HTMLElement[]): HTMLElement => fold(title, false, ...children);
+  const style = folded(
+    'Style',
+    choice('determinants', 'Way of walking', [['', 'smooth: forces first'], ['5', 'key postures, five determinants'], ['3', 'key postures, three']], (value) => {
+      said.determinants = value === '' ? undefined : Number(value);
+      moved('determinants');
+    }),
+    word('population', 'Steps as', POPULATIONS),
+    word('manner', 'Manner', MANNERS),
+    word('left', 'Left side', SIDES),
+    word('right', 'Right side', SIDES),
+    ...[...STYLE, ...DIFFERENCES].map(make),
+  );
   const element = el(
     'div',
     {},
     choice('gait', 'Gait', [['walk', 'Walk'], ['run', 'Run']], (value) => {
-      asked.gait = value;
+      said.gait = value;
       choose();
       moved('gait');
     }),
     body('height', 'Height', 'm', 0.8, 2.3, 0.01),
     body('mass', 'Mass', 'kg', 12, 180, 1),
-    ...WALK.map((field) => {
-      const made = make(field);
-      walkOnly.push(made);
-      return made;
-    }),
-    ...RUN.map((field) => {
-      const made = make(field);
-      runOnly.push(made);
-      return made;
-    }),
+    ...[...PACE, TURN, ...RUN].map(make),
+    word('on', 'Ground', GROUNDS),
+    ...[SLOPE, ...STAIRS].map(make),
     steps.element,
-    fold(
-      'Style',
-      false,
-      choice('determinants', 'Way of walking', [['', 'smooth: forces first'], ['5', 'key postures, five determinants'], ['3', 'key postures, three']], (value) => {
-        asked.determinants = value === '' ? undefined : Number(value);
-        moved('determinants');
-      }),
-      choice('manner', 'Manner', MANNERS.map((manner) => [manner, manner || 'everybody’s']), (value) => {
-        asked.manner = value || undefined;
-        moved('manner');
-      }),
-      choice('left', 'One side', [['', 'as the other'], ['limp', 'limps']], (value) => {
-        asked.left = value || undefined;
-        moved('left');
-      }),
-      ...STYLE.map(make),
-    ),
+    style,
+    folded('Loads, unequal legs', ...BODY.map(make)),
     remark,
   );
+  // Only what stands with what is chosen.
   const choose = (): void => {
-    walkOnly.forEach((shown) => (shown.hidden = asked.gait === 'run'));
-    runOnly.forEach((shown) => (shown.hidden = asked.gait !== 'run'));
+    const stand = new Set(fieldsOf(asked).map(({ name }) => name));
+    FIELDS.forEach(({ name }) => sliders.get(name)!.show(stand.has(name)));
+    steps.show(groundOf(asked) !== 'stairs');
+    style.hidden = isRun(asked);
+    choices.get('on')!.parentElement!.hidden = isRun(asked);
   };
   choose();
-
-  // What is asked, as the engine's options have it: only what was touched.
-  function options(): Options {
-    const found: Options = { ...asked };
-    const style: Record<string, number> = {};
-    for (const field of [...(asked.gait === 'run' ? RUN : [...WALK, ...STYLE])]) {
-      const value = touched.get(field.name);
-      if (value === undefined || (field.name === 'slope' && value === 0)) continue;
-      if (field.style) style[field.name] = value;
-      else found[field.name] = value;
-    }
-    if (Object.keys(style).length > 0) found.style = style;
-    return found;
-  }
 
   const plan = latest(async (from: string | null) => {
     let walked: Walked;
     let body: Body | null;
     try {
-      const walks = app.engine.call<Walked>('walk', [who, options(), asked.gait === 'run' ? 'A run' : 'A walk']);
-      [walked, body] = await Promise.all([walks, app.skin({ ...who })]);
+      const walks = app.engine.call<Walked>('walk', [who(), optionsOf(asked), titleOf(asked)]);
+      [walked, body] = await Promise.all([walks, app.skin(who())]);
     } catch (error) {
       // What cannot be walked is said beside the number that was moved; the last answer stays.
       sliders.forEach((other, name) => other.fault(name === from ? (error as Error).message : null));
@@ -211,23 +169,19 @@ export function makeWalkPanel(app: App): WalkPanel {
   // numbers, and holds while they do.
   const known = new Map<string, [number, number]>();
   const scaleOf = (name: string): number | null => {
-    const field = [...WALK, ...RUN, ...STYLE].find((one) => one.name === name);
+    const field = BODY.some((one) => one.name === name) ? undefined : FIELDS.find((one) => one.name === name);
     return field ? (field.scale ?? 1) : null;
   };
   function show(name: string, range: [number, number] | null): void {
     const scale = scaleOf(name) ?? 1;
     sliders.forEach((other, which) => other.range(which === name && range ? [range[0] / scale, range[1] / scale] : null));
   }
-  function others(name: string): string {
-    const { [name]: _, ...asked } = options();
-    const { [name]: own, ...style } = (asked.style ?? {}) as Options;
-    return JSON.stringify([name, who, { ...asked, style }]);
-  }
+  const others = (name: string): string => JSON.stringify([name, who(), optionsOf(asked, name)]);
   const find = latest(async (name: string) => {
     const words = others(name);
     try {
       const engine = await app.background();
-      const range = await engine.call<[number, number] | null>('walkRange', [who, options(), name]);
+      const range = await engine.call<[number, number] | null>('walkRange', [who(), optionsOf(asked), name]);
       if (known.size >= KNOWN) known.clear();
       if (range) known.set(words, range);
       if (rested === name && others(name) === words) show(name, range);
@@ -268,20 +222,20 @@ export function makeWalkPanel(app: App): WalkPanel {
       started = true;
       return plan(null);
     },
-    state: () => ({ who: { ...who }, asked: { ...asked }, touched: [...touched] }),
+    state: () => ({ who: { ...size }, asked: { ...said }, touched: [...touched] }),
     restore(state) {
-      Object.assign(who, state.who);
-      Object.assign(asked, state.asked);
+      Object.assign(size, state.who);
+      Object.assign(said, state.asked);
       touched.clear();
       for (const [name, value] of state.touched) {
-        const field = [...WALK, ...RUN, ...STYLE].find((known) => known.name === name);
+        const field = FIELDS.find((known) => known.name === name);
         if (!field && name !== 'mass') continue;
         touched.set(name, value);
         if (field) sliders.get(name)!.value = value / (field.scale ?? 1);
       }
-      for (const name of ['height', 'mass'] as const) sliders.get(name)!.value = who[name];
-      steps.value = Number(asked.steps);
-      choices.forEach((select, name) => (select.value = String(asked[name] ?? '')));
+      for (const name of ['height', 'mass'] as const) sliders.get(name)!.value = size[name];
+      steps.value = Number(said.steps);
+      choices.forEach((select, name) => (select.value = String(said[name] ?? '')));
       choose();
     },
   };

@@ -28,7 +28,7 @@ export function slider({ label, unit, low, high, step, value, change }: SliderOp
   const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   const written = (given: number): string => String(Number(given.toFixed(digits + 2)));
   const range = el('input', { type: 'range', id: name, min: low, max: high, step: 'any', value, autocomplete: 'off' });
-  const typed = el('input', { type: 'number', min: low, max: high, step: 'any', value: written(value), autocomplete: 'off', 'aria-label': `${label} (${unit})` });
+  const typed = el('input', { type: 'number', min: low, max: high, step: 'any', value: written(value), autocomplete: 'off', 'aria-label': unit ? `${label} (${unit})` : label });
   const feasible = el('div', { class: 'feasible', hidden: true });
   const fault = el('p', { class: 'fault', hidden: true });
   const element = el(

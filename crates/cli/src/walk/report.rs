@@ -62,7 +62,7 @@ pub(crate) struct Walk {
     /// Whether it goes backward, the first walk of several.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub(crate) backward: bool,
-    /// Step length over people's at this height and frequency; where all ground is one slope, on that.
+    /// Step length over people's at this height and frequency, on the level or on the one slope that all ground is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) step_length_over_peoples: Option<f64>,
     pub(crate) speed_m_s: f64,
@@ -89,13 +89,14 @@ pub(crate) struct RunTime {
     pub(crate) with_forces_s: f64,
 }
 
-/// What people's steps are over height and frequency (min): on ground of any shape that of the level, as is its step length.
-fn peoples(motion: &Motion) -> f64 {
+/// What people's steps are over height and frequency (min), on level ground and on one slope; elsewhere the ground decides how long a step is.
+fn peoples(motion: &Motion) -> Option<f64> {
     match motion.relief.as_ref().map(Relief::points) {
+        None => Some(WALK_RATIO),
         Some(&[[from, low], [to, high]]) => {
-            WALK_RATIO * step_length_on_slope(((high - low) / (to - from)).atan())
+            Some(WALK_RATIO * step_length_on_slope(((high - low) / (to - from)).atan()))
         }
-        _ => WALK_RATIO,
+        Some(_) => None,
     }
 }
 
@@ -171,8 +172,9 @@ impl Report {
                 backward: plan.smooth().is_some_and(WalkPlan::is_backward),
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
-                step_length_over_peoples: (!matches!(plan, StyledPlan::Run(_)))
-                    .then(|| step_length / (peoples(motion) * height * step_frequency)),
+                step_length_over_peoples: peoples(motion)
+                    .filter(|_| !matches!(plan, StyledPlan::Run(_)))
+                    .map(|peoples| step_length / (peoples * height * step_frequency)),
                 speed_m_s: step_length * step_frequency / 60.0,
                 distance_m: distance,
                 duration_s: duration,

@@ -1,0 +1,130 @@
+// What a walk can be asked: the numbers with their sliders, the words, and the options that come of them.
+
+import type { Who } from '../engine/protocol.ts';
+
+export type Options = Record<string, unknown>;
+
+// A slider of one number; what is shown may be in another unit than what is asked.
+export interface Field {
+  // As the engine calls it, where it is asked within which values it may be: `stairs.rise` is a part of `stairs`.
+  name: string;
+  label: string;
+  unit: string;
+  low: number;
+  high: number;
+  step: number;
+  // What is shown where it was not touched.
+  value: number;
+  // In which unit of the engine one of the shown is.
+  scale?: number;
+  // Asked for even where it was not touched.
+  always?: boolean;
+}
+
+const DEGREE = Math.PI / 180;
+
+export const PACE: Field[] = [
+  { name: 'step_frequency', label: 'Pace', unit: 'steps/min', low: 60, high: 130, step: 1, value: 110 },
+  { name: 'step_length', label: 'Step length', unit: 'm', low: 0.3, high: 1.1, step: 0.01, value: 0.72 },
+];
+export const TURN: Field = { name: 'turn', label: 'Turn a step', unit: '°', low: -30, high: 30, step: 1, value: 0, scale: DEGREE };
+export const SLOPE: Field = { name: 'slope', label: 'Slope', unit: '°', low: -15, high: 15, step: 0.5, value: 0, scale: DEGREE };
+export const STAIRS: Field[] = [
+  { name: 'stairs.count', label: 'Stairs', unit: '', low: 1, high: 20, step: 1, value: 6, always: true },
+  { name: 'stairs.rise', label: 'Rise of a stair', unit: 'm', low: -0.2, high: 0.2, step: 0.005, value: 0.17, always: true },
+  { name: 'stairs.tread', label: 'Tread', unit: 'm', low: 0.25, high: 0.35, step: 0.005, value: 0.29, always: true },
+];
+export const RUN: Field[] = [{ name: 'speed', label: 'Speed', unit: 'm/s', low: 2.2, high: 6, step: 0.1, value: 3 }];
+// Numbers of the style are in the units in which people write them: degrees and metres.
+export const STYLE: Field[] = [
+  { name: 'style.arm_swing', label: 'Arm swing', unit: '°', low: 0, high: 45, step: 1, value: 20 },
+  { name: 'style.rotation', label: 'Pelvic rotation', unit: '°', low: 0, high: 12, step: 0.5, value: 5 },
+  { name: 'style.step_width', label: 'Step width', unit: 'm', low: 0.04, high: 0.2, step: 0.01, value: 0.1 },
+  { name: 'style.thorax_lean', label: 'Lean', unit: '°', low: -5, high: 10, step: 0.5, value: 0 },
+];
+export const DIFFERENCES: Field[] = [
+  { name: 'variability', label: 'Steps differ', unit: '× people’s', low: 0, high: 2, step: 0.1, value: 0 },
+  { name: 'seed', label: 'Whose differences', unit: '', low: 0, high: 99, step: 1, value: 0 },
+];
+// Of the body.
+export const BODY: Field[] = [
+  { name: 'load.left', label: 'In the left hand', unit: 'kg', low: 0, high: 20, step: 0.5, value: 0 },
+  { name: 'load.right', label: 'In the right hand', unit: 'kg', low: 0, high: 20, step: 0.5, value: 0 },
+  { name: 'shorterLeg.left', label: 'Left leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
+  { name: 'shorterLeg.right', label: 'Right leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
+];
+export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYLE, ...DIFFERENCES, ...BODY];
+
+// Words that may be chosen, and how they are called.
+export const MANNERS: [string, string][] = ['', 'happy', 'sad', 'tired', 'proud', 'heavy', 'older', 'child', 'cautious'].map((manner) => [manner, manner || 'everybody’s']);
+export const SIDES: [string, string][] = [['', 'as the other'], ['limp', 'limp'], ['stiff_knee', 'stiff knee'], ['drop_foot', 'drop foot'], ['load', 'arm with a load']];
+export const POPULATIONS: [string, string][] = [['', 'adults overground'], ['treadmill', 'adults on a treadmill'], ['child', 'children'], ['older', 'older people']];
+export const GROUNDS: [string, string][] = [['', 'level'], ['slope', 'a slope'], ['stairs', 'stairs']];
+
+const WALKING = ['determinants', 'population', 'manner', 'left', 'right'];
+
+// What was asked by words, and by numbers that were touched.
+export interface Asked {
+  words: Options;
+  touched: Map<string, number>;
+}
+
+export const isRun = ({ words }: Asked): boolean => words.gait === 'run';
+export const groundOf = (asked: Asked): string => (isRun(asked) ? '' : String(asked.words.on ?? ''));
+
+// The numbers that stand with what is chosen.
+export function fieldsOf(asked: Asked): Field[] {
+  if (isRun(asked)) return [...RUN, ...BODY];
+  const ground = groundOf(asked);
+  return [...PACE, ...(ground === '' ? [TURN] : ground === 'slope' ? [SLOPE] : STAIRS), ...STYLE, ...DIFFERENCES, ...BODY];
+}
+
+// Sets `a.b` in an object.
+function put(into: Options, name: string, value: unknown): void {
+  const [first, second] = name.split('.');
+  if (second) into[first] = { ...(into[first] as Options), [second]: value };
+  else into[first] = value;
+}
+
+function numbers(asked: Asked, fields: Field[], but?: string): Options {
+  const found: Options = {};
+  for (const { name, value, scale, always } of fields) {
+    const given = asked.touched.get(name) ?? (always ? value * (scale ?? 1) : undefined);
+    if (given !== undefined && name !== but) put(found, name, given);
+  }
+  return found;
+}
+
+// As the engine's options have it: only what was touched. `but`: without this number.
+export function optionsOf(asked: Asked, but?: string): Options {
+  const { on: _, ...words } = asked.words;
+  // How many steps stairs take, they say themselves; what is said of walking means nothing to a run.
+  if (groundOf(asked) === 'stairs') delete words.steps;
+  if (isRun(asked)) WALKING.forEach((name) => delete words[name]);
+  const own = fieldsOf(asked).filter((field) => !BODY.includes(field));
+  return { ...words, ...numbers(asked, own, but) };
+}
+
+export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => numbers(asked, BODY);
+
+// What it is called.
+export function titleOf(asked: Asked): string {
+  const said = (name: string): number => asked.touched.get(name) ?? FIELDS.find((field) => field.name === name)!.value;
+  const { words } = asked;
+  const up = (by: number): string => (by < 0 ? 'down' : 'up');
+  const ground = groundOf(asked);
+  const parts: string[] = [
+    isRun(asked) ? 'A run' : 'A walk',
+    ...(ground === 'slope' && said('slope') !== 0 ? [` ${up(said('slope'))} a slope of ${shown(Math.abs(said('slope')) / DEGREE)}°`] : []),
+    ...(ground === 'stairs' ? [` ${up(said('stairs.rise'))} ${said('stairs.count')} stairs`] : []),
+    ...(words.manner && !isRun(asked) ? [`, ${String(words.manner)}`] : []),
+  ];
+  const told: ((side: string) => string | false | undefined)[] = [
+    (side) => !isRun(asked) && words[side] !== undefined && `${side} side: ${SIDES.find(([name]) => name === words[side])?.[1]}`,
+    (side) => said(`load.${side}`) > 0 && `${shown(said(`load.${side}`))} kg in the ${side} hand`,
+    (side) => said(`shorterLeg.${side}`) > 0 && `${side} leg ${shown(1e3 * said(`shorterLeg.${side}`))} mm shorter`,
+  ];
+  for (const tell of told) for (const side of ['left', 'right']) parts.push(...[tell(side)].filter(Boolean).map((words) => `, ${words}`));
+  return parts.join('');
+}
+const shown = (value: number): string => String(Number(value.toFixed(1)));
