@@ -8,9 +8,10 @@ use super::numbers::{
     CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_MORE_BENT, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL,
     GROUND_LEAST_FLAT, INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, KNEE_TURNING,
     LANDS_AS_FLAT, LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS, LAST_STRAIGHTENS,
-    LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_FOLLOWS,
-    STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING,
-    TURNING_STEEPEST, TURNING_UNTIL, UNSTRETCHED,
+    LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_BELOW,
+    PEAK_FOLLOWS, PEAK_FROM, PEAK_STEEP, PEAK_UPHILL, STANDING_FROM, STANDING_TOE_OFF_RATE,
+    STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
+    UNSTRETCHED,
 };
 use super::standing::knee_standing;
 use super::timeline::Timeline;
@@ -22,6 +23,7 @@ use crate::limbs::push::Push;
 use crate::limbs::stance::{Footing, Landing, Stance};
 use crate::limbs::swing::sideways;
 use crate::smooth::legs::Aim;
+use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline, step};
 
@@ -75,6 +77,9 @@ impl Foot {
                 let after = style.toe_off() + laws.numbers.first_peak_after;
                 style.knee_peak_at = style.knee_peak_at.max(after);
             }
+            let after = style.toe_off()
+                + Self::peak_from(laws, &style, to.index >= laws.course.steps) * (1.0 - style.toe_off());
+            style.knee_peak_at = style.knee_peak_at.max(after);
             let end = &contacts[j + 1];
             let start = stances[j].toe_off_jet(seen(from));
             let leans = |episode: &Episode, v: f64, jet: &LegJet| {
@@ -158,6 +163,22 @@ impl Foot {
             (j, episode, v) if self.swings_at(laws, j, &episode, v) => 0.0,
             (j, episode, v) => self.stances[j].short(v, &episode.local(hip)),
         }
+    }
+
+    /// The part of a swing that is over at least when its knee is bent the most. People's is after a third, and so is that of a foot that
+    /// leaves the ground in time; one that leaves it late, in slow steps and uphill, had its peak so soon that the knee went beyond it by half as
+    /// much again. Of the last step less is asked, and on the steepest slopes nothing: its foot would not come up in time.
+    fn peak_from(laws: &WalkLaws, style: &Style, is_last: bool) -> f64 {
+        let late = match laws.relief {
+            None => (PEAK_BELOW.0 - style.step_frequency) / PEAK_BELOW.1,
+            Some(_) => style.slope / PEAK_UPHILL,
+        };
+        let most = if is_last {
+            PEAK_FROM.1 * ((PEAK_STEEP.0 - style.slope) / PEAK_STEEP.1).clamp(0.0, 1.0)
+        } else {
+            PEAK_FROM.0
+        };
+        most * late.clamp(0.0, 1.0)
     }
 
     /// The print that it stands on or has left, and the clock since its contact.

@@ -42,6 +42,13 @@ pub(super) const EDGES: (f64, f64) = (0.02, 0.012);
 pub(super) const STAIR_EDGES: f64 = 0.008;
 /// How much straighter than the style's a knee on a flat foot may be (rad).
 pub(super) const KNEE_FLAT_BELOW: f64 = 0.2 * DEGREE;
+/// The part of a swing that is over at least when its knee is bent the most, and that of the last one.
+pub(super) const PEAK_FROM: (f64, f64) = (0.3, 0.18);
+/// Below how many steps/min on level ground, and over how many less, that comes to be so; and over which slope uphill (rad).
+pub(super) const PEAK_BELOW: (f64, f64) = (80.0, 10.0);
+pub(super) const PEAK_UPHILL: f64 = 5.0 * DEGREE;
+/// From which slope on it is not asked of the last step, and over how much less it comes to be (rad).
+pub(super) const PEAK_STEEP: (f64, f64) = (13.0 * DEGREE, DEGREE);
 /// On ground that is not level a knee that lands so much more bent than in a steady stride (rad) is more bent in swing, too, by a part of it.
 pub(super) const PEAK_FOLLOWS: (f64, f64) = (8.0 * DEGREE, 0.7);
 /// A knee that lands so much more bent than in a stride is not stretched before (rad), one less so in part.
