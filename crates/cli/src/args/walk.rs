@@ -152,8 +152,7 @@ pub(crate) struct PaceArgs {
     pub(crate) step_frequency: Option<Number>,
     #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
         "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % at {} steps/min); \
-         on a slope along the level, as the speed [default: people's, {WALK_RATIO}·height·frequency, on a slope up to 4 % \
-         longer or 24 % shorter]",
+         on a slope along the level, as the speed [default: people's, {WALK_RATIO}·height·frequency]",
         STEP_FREQUENCY.1
     )))]
     pub(crate) step_length: Option<Number>,
