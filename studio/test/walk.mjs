@@ -59,6 +59,8 @@ test('stairs are climbed, loads are carried, and a link says all of it', async (
   assert.ok(Math.abs((await rise(page)) - 6 * 0.17) < 0.05);
   assert.equal(await field(page, 'Turn a step (°)').isVisible(), false);
   await type(page, 'Rise of a stair (m)', -0.15);
+  // What it can be is what it can be on the way down.
+  await page.waitForFunction(() => /can be had from -0\.2 to -0\.1/.test(document.querySelector('.slider:has([aria-label="Rise of a stair (m)"]) .feasible').title));
   await type(page, 'Stairs', 4);
   assert.equal(await title(page), 'A walk down 4 stairs');
   assert.ok(Math.abs((await rise(page)) + 4 * 0.15) < 0.05);
@@ -80,17 +82,34 @@ test('stairs are climbed, loads are carried, and a link says all of it', async (
   await choose(other, 'Ground', 'slope');
   await type(other, 'Slope (°)', 6);
   assert.match(await title(other), /^A walk up a slope of 6°/);
+  // A slope of nothing is level ground.
+  await type(other, 'Slope (°)', 0);
+  assert.ok(await other.evaluate(() => !studio.show.data.ground.relief));
 });
 
-test('a run leaves out what is said of walking', async (t) => {
+test('what cannot be had with a run, a slope or key postures is left out', async (t) => {
   const page = await open(t, { still: true });
   if (!page) return;
   await unfold(page, 'Style');
   await choose(page, 'Manner', 'sad');
   assert.equal(await title(page), 'A walk, sad');
+  await unfold(page, 'Loads, unequal legs');
+  await type(page, 'Left leg shorter (mm)', 10);
+  await type(page, 'Steps differ (× people’s)', 1);
   await choose(page, 'Gait', 'run');
   assert.equal(await title(page), 'A run');
+  assert.equal(await field(page, 'Left leg shorter (mm)').isVisible(), false);
   await choose(page, 'Gait', 'walk');
+  await choose(page, 'Ground', 'slope');
+  await type(page, 'Slope (°)', -5);
+  assert.equal(await title(page), 'A walk down a slope of 5°, sad, left leg 10 mm shorter');
+  assert.equal(await field(page, 'Steps differ (× people’s)').isVisible(), false);
+  await choose(page, 'Way of walking', '5');
+  assert.equal(await title(page), 'A walk');
+  assert.equal(await field(page, 'Arm swing (°)').isVisible(), false);
+  await choose(page, 'Way of walking', '');
+  await choose(page, 'Ground', '');
+  await type(page, 'Left leg shorter (mm)', 0);
   await choose(page, 'Left side', 'drop_foot');
   assert.equal(await title(page), 'A walk, sad, left side: drop foot');
 });

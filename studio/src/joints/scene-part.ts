@@ -86,13 +86,14 @@ export function makeScenePart(app: App, text: SceneDocument, write: (edits: Edit
     const isLimp = field(value, 'joints')?.name === 'Limp';
     const other = only && !isPerson && file === undefined;
     const known = [...new Set([...files, ...(file === undefined ? [] : [file])])];
+    const chosen = select.value;
     select.replaceChildren(
       el('option', { value: PERSON }, 'A person'),
       el('option', { value: LIMP }, 'A limp person'),
       ...known.map((one) => el('option', { value: FILE + one }, one)),
       ...(other ? [el('option', { value: 'other' }, `“${name}”, as written`)] : []),
     );
-    select.value = isPerson ? (isLimp ? LIMP : PERSON) : file !== undefined ? FILE + file : 'other';
+    select.value = pending > 0 ? chosen : isPerson ? (isLimp ? LIMP : PERSON) : file !== undefined ? FILE + file : 'other';
     height.show(isPerson);
     mass.show(isPerson);
     figure.element.hidden = !only;

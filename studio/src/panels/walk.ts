@@ -7,7 +7,7 @@ import { button, el, later, latest } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { fold } from '../ui/tabs.ts';
 import type { Body } from '../view.ts';
-import { type Asked, bodyOf, BODY, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, groundOf, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN } from '../walk/asked.ts';
+import { type Asked, bodyOf, BODY, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN, wordsOf } from '../walk/asked.ts';
 
 // Body mass over squared height of people (kg/m²), where nobody says a mass.
 const BODY_MASS_INDEX = 23.8;
@@ -99,6 +99,7 @@ export function makeWalkPanel(app: App): WalkPanel {
     'Style',
     choice('determinants', 'Way of walking', [['', 'smooth: forces first'], ['5', 'key postures, five determinants'], ['3', 'key postures, three']], (value) => {
       said.determinants = value === '' ? undefined : Number(value);
+      choose();
       moved('determinants');
     }),
     word('population', 'Steps as', POPULATIONS),
@@ -129,9 +130,10 @@ export function makeWalkPanel(app: App): WalkPanel {
   const choose = (): void => {
     const stand = new Set(fieldsOf(asked).map(({ name }) => name));
     FIELDS.forEach(({ name }) => sliders.get(name)!.show(stand.has(name)));
-    steps.show(groundOf(asked) !== 'stairs');
+    const words = new Set(wordsOf(asked));
+    steps.show(words.has('steps'));
+    choices.forEach((select, name) => (select.parentElement!.hidden = !words.has(name)));
     style.hidden = isRun(asked);
-    choices.get('on')!.parentElement!.hidden = isRun(asked);
   };
   choose();
 
@@ -233,6 +235,9 @@ export function makeWalkPanel(app: App): WalkPanel {
         touched.set(name, value);
         if (field) sliders.get(name)!.value = value / (field.scale ?? 1);
       }
+      if (!GROUNDS.some(([ground]) => ground === (said.on ?? ''))) delete said.on;
+      // As links said it that knew no other ground.
+      if (touched.get('slope') && !said.on) said.on = 'slope';
       for (const name of ['height', 'mass'] as const) sliders.get(name)!.value = size[name];
       steps.value = Number(said.steps);
       choices.forEach((select, name) => (select.value = String(said[name] ?? '')));

@@ -47,12 +47,15 @@ export const DIFFERENCES: Field[] = [
   { name: 'seed', label: 'Whose differences', unit: '', low: 0, high: 99, step: 1, value: 0 },
 ];
 // Of the body.
-export const BODY: Field[] = [
+export const LOADS: Field[] = [
   { name: 'load.left', label: 'In the left hand', unit: 'kg', low: 0, high: 20, step: 0.5, value: 0 },
   { name: 'load.right', label: 'In the right hand', unit: 'kg', low: 0, high: 20, step: 0.5, value: 0 },
+];
+export const LEGS: Field[] = [
   { name: 'shorterLeg.left', label: 'Left leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
   { name: 'shorterLeg.right', label: 'Right leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
 ];
+export const BODY: Field[] = [...LOADS, ...LEGS];
 export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYLE, ...DIFFERENCES, ...BODY];
 
 // Words that may be chosen, and how they are called.
@@ -61,8 +64,6 @@ export const SIDES: [string, string][] = [['', 'as the other'], ['limp', 'limp']
 export const POPULATIONS: [string, string][] = [['', 'adults overground'], ['treadmill', 'adults on a treadmill'], ['child', 'children'], ['older', 'older people']];
 export const GROUNDS: [string, string][] = [['', 'level'], ['slope', 'a slope'], ['stairs', 'stairs']];
 
-const WALKING = ['determinants', 'population', 'manner', 'left', 'right'];
-
 // What was asked by words, and by numbers that were touched.
 export interface Asked {
   words: Options;
@@ -70,13 +71,27 @@ export interface Asked {
 }
 
 export const isRun = ({ words }: Asked): boolean => words.gait === 'run';
-export const groundOf = (asked: Asked): string => (isRun(asked) ? '' : String(asked.words.on ?? ''));
+// Through key postures, which nothing but the pace changes.
+export const isPosed = (asked: Asked): boolean => !isRun(asked) && words(asked, 'determinants') !== undefined;
+export const groundOf = (asked: Asked): string => (isRun(asked) || isPosed(asked) ? '' : String(words(asked, 'on') ?? ''));
+const words = (asked: Asked, name: string): unknown => asked.words[name];
 
-// The numbers that stand with what is chosen.
+// The numbers that stand with what is chosen: others would be refused.
 export function fieldsOf(asked: Asked): Field[] {
-  if (isRun(asked)) return [...RUN, ...BODY];
+  if (isRun(asked)) return [...RUN, ...LOADS];
+  if (isPosed(asked)) return [...PACE, ...LOADS];
   const ground = groundOf(asked);
-  return [...PACE, ...(ground === '' ? [TURN] : ground === 'slope' ? [SLOPE] : STAIRS), ...STYLE, ...DIFFERENCES, ...BODY];
+  const here = { slope: [SLOPE], stairs: STAIRS }[ground] ?? [TURN, ...DIFFERENCES];
+  return [...PACE, ...here, ...STYLE, ...BODY];
+}
+
+// The words that do.
+export function wordsOf(asked: Asked): string[] {
+  if (isRun(asked)) return ['gait', 'steps'];
+  if (isPosed(asked)) return ['gait', 'steps', 'determinants'];
+  const walking = ['gait', 'determinants', 'population', 'manner', 'on'];
+  // How many steps stairs take, they say themselves.
+  return { slope: [...walking, 'steps'], stairs: walking }[groundOf(asked)] ?? [...walking, 'steps', 'left', 'right'];
 }
 
 // Sets `a.b` in an object.
@@ -97,34 +112,38 @@ function numbers(asked: Asked, fields: Field[], but?: string): Options {
 
 // As the engine's options have it: only what was touched. `but`: without this number.
 export function optionsOf(asked: Asked, but?: string): Options {
-  const { on: _, ...words } = asked.words;
-  // How many steps stairs take, they say themselves; what is said of walking means nothing to a run.
-  if (groundOf(asked) === 'stairs') delete words.steps;
-  if (isRun(asked)) WALKING.forEach((name) => delete words[name]);
+  const said = wordsOf(asked).filter((name) => name !== 'on').map((name) => [name, asked.words[name]]);
   const own = fieldsOf(asked).filter((field) => !BODY.includes(field));
-  return { ...words, ...numbers(asked, own, but) };
+  const options: Options = { ...Object.fromEntries(said), ...numbers(asked, own, but) };
+  // Nothing of these is level ground, and steps that are alike.
+  for (const name of ['slope', 'variability']) if (options[name] === 0) delete options[name];
+  return options;
 }
 
-export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => numbers(asked, BODY);
+export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => numbers(asked, fieldsOf(asked).filter((field) => BODY.includes(field)));
 
 // What it is called.
 export function titleOf(asked: Asked): string {
-  const said = (name: string): number => asked.touched.get(name) ?? FIELDS.find((field) => field.name === name)!.value;
-  const { words } = asked;
+  const stand = new Set([...fieldsOf(asked).map(({ name }) => name), ...wordsOf(asked)]);
+  const said = (name: string): number => (stand.has(name) ? (asked.touched.get(name) ?? FIELDS.find((field) => field.name === name)!.value) : 0);
+  const word = (name: string, known: [string, string][]): string | undefined => {
+    const value = stand.has(name) ? asked.words[name] : undefined;
+    return value === undefined ? undefined : (known.find(([one]) => one === value)?.[1] ?? String(value));
+  };
   const up = (by: number): string => (by < 0 ? 'down' : 'up');
-  const ground = groundOf(asked);
-  const parts: string[] = [
-    isRun(asked) ? 'A run' : 'A walk',
-    ...(ground === 'slope' && said('slope') !== 0 ? [` ${up(said('slope'))} a slope of ${shown(Math.abs(said('slope')) / DEGREE)}°`] : []),
-    ...(ground === 'stairs' ? [` ${up(said('stairs.rise'))} ${said('stairs.count')} stairs`] : []),
-    ...(words.manner && !isRun(asked) ? [`, ${String(words.manner)}`] : []),
+  const sides = (tell: (side: string) => string | false | undefined): (string | false | undefined)[] => ['left', 'right'].map(tell);
+  const manner = word('manner', MANNERS);
+  const parts = [
+    said('slope') !== 0 && ` ${up(said('slope'))} a slope of ${shown(Math.abs(said('slope')) / DEGREE)}°`,
+    said('stairs.count') > 0 && ` ${up(said('stairs.rise'))} ${said('stairs.count')} stairs`,
+    manner && `, ${manner}`,
+    ...sides((side) => {
+      const own = word(side, SIDES);
+      return own && `, ${side} side: ${own}`;
+    }),
+    ...sides((side) => said(`load.${side}`) > 0 && `, ${shown(said(`load.${side}`))} kg in the ${side} hand`),
+    ...sides((side) => said(`shorterLeg.${side}`) > 0 && `, ${side} leg ${shown(1e3 * said(`shorterLeg.${side}`))} mm shorter`),
   ];
-  const told: ((side: string) => string | false | undefined)[] = [
-    (side) => !isRun(asked) && words[side] !== undefined && `${side} side: ${SIDES.find(([name]) => name === words[side])?.[1]}`,
-    (side) => said(`load.${side}`) > 0 && `${shown(said(`load.${side}`))} kg in the ${side} hand`,
-    (side) => said(`shorterLeg.${side}`) > 0 && `${side} leg ${shown(1e3 * said(`shorterLeg.${side}`))} mm shorter`,
-  ];
-  for (const tell of told) for (const side of ['left', 'right']) parts.push(...[tell(side)].filter(Boolean).map((words) => `, ${words}`));
-  return parts.join('');
+  return [isRun(asked) ? 'A run' : 'A walk', ...parts.filter(Boolean)].join('');
 }
 const shown = (value: number): string => String(Number(value.toFixed(1)));

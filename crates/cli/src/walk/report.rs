@@ -89,11 +89,12 @@ pub(crate) struct RunTime {
     pub(crate) with_forces_s: f64,
 }
 
-/// What people's steps are over height and frequency (min), on level ground and on one slope; elsewhere the ground decides how long a step is.
-fn peoples(motion: &Motion) -> Option<f64> {
+/// What people's steps are over height and frequency (min), on level ground and on a slope from behind the first step to beyond the last one;
+/// elsewhere the ground decides how long a step is.
+fn peoples(motion: &Motion, distance: f64) -> Option<f64> {
     match motion.relief.as_ref().map(Relief::points) {
         None => Some(WALK_RATIO),
-        Some(&[[from, low], [to, high]]) => {
+        Some(&[[from, low], [to, high]]) if from < 0.0 && to > distance => {
             Some(WALK_RATIO * step_length_on_slope(((high - low) / (to - from)).atan()))
         }
         Some(_) => None,
@@ -172,7 +173,7 @@ impl Report {
                 backward: plan.smooth().is_some_and(WalkPlan::is_backward),
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
-                step_length_over_peoples: peoples(motion)
+                step_length_over_peoples: peoples(motion, distance)
                     .filter(|_| !matches!(plan, StyledPlan::Run(_)))
                     .map(|peoples| step_length / (peoples * height * step_frequency)),
                 speed_m_s: step_length * step_frequency / 60.0,

@@ -11,7 +11,7 @@ use super::numbers::{
     LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_BELOW,
     PEAK_FOLLOWS, PEAK_FROM, PEAK_STEEP, PEAK_UPHILL, STANDING_FROM, STANDING_TOE_OFF_RATE,
     STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
-    UNSTRETCHED,
+    UNSTRETCHED, USUAL_LEG,
 };
 use super::standing::knee_standing;
 use super::timeline::Timeline;
@@ -78,7 +78,7 @@ impl Foot {
                 style.knee_peak_at = style.knee_peak_at.max(after);
             }
             let after = style.toe_off()
-                + Self::peak_from(laws, &style, to.index >= laws.course.steps) * (1.0 - style.toe_off());
+                + Self::peak_from(leg, &style, to.index >= laws.course.steps) * (1.0 - style.toe_off());
             style.knee_peak_at = style.knee_peak_at.max(after);
             let end = &contacts[j + 1];
             let start = stances[j].toe_off_jet(seen(from));
@@ -168,11 +168,10 @@ impl Foot {
     /// The part of a swing that is over at least when its knee is bent the most. People's is after a third, and so is that of a foot that
     /// leaves the ground in time; one that leaves it late, in slow steps and uphill, had its peak so soon that the knee went beyond it by half as
     /// much again. Of the last step less is asked, and on the steepest slopes nothing: its foot would not come up in time.
-    fn peak_from(laws: &WalkLaws, style: &Style, is_last: bool) -> f64 {
-        let late = match laws.relief {
-            None => (PEAK_BELOW.0 - style.step_frequency) / PEAK_BELOW.1,
-            Some(_) => style.slope / PEAK_UPHILL,
-        };
+    fn peak_from(leg: &LegGeometry, style: &Style, is_last: bool) -> f64 {
+        // As slow as somebody with legs of usual length would be who walks alike.
+        let pace = style.step_frequency * (leg.length() / USUAL_LEG).sqrt();
+        let late = ((PEAK_BELOW.0 - pace) / PEAK_BELOW.1).max(style.slope / PEAK_UPHILL);
         let most = if is_last {
             PEAK_FROM.1 * ((PEAK_STEEP.0 - style.slope) / PEAK_STEEP.1).clamp(0.0, 1.0)
         } else {
