@@ -72,8 +72,8 @@ export interface Asked {
 
 export const isRun = ({ words }: Asked): boolean => words.gait === 'run';
 // Through key postures, which nothing but the pace changes.
-export const isPosed = (asked: Asked): boolean => !isRun(asked) && words(asked, 'determinants') !== undefined;
-export const groundOf = (asked: Asked): string => (isRun(asked) || isPosed(asked) ? '' : String(words(asked, 'on') ?? ''));
+const isPosed = (asked: Asked): boolean => !isRun(asked) && words(asked, 'determinants') !== undefined;
+const groundOf = (asked: Asked): string => (isRun(asked) || isPosed(asked) ? '' : String(words(asked, 'on') ?? ''));
 const words = (asked: Asked, name: string): unknown => asked.words[name];
 
 // The numbers that stand with what is chosen: others would be refused.

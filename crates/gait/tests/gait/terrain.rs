@@ -7,7 +7,7 @@ use solaris_gait::{
     Extent, FEET, Stairs, WalkExtremes, WalkGround, WalkPlan, WalkRequest, measure, step_length_on_slope,
     walk,
 };
-use solaris_model::{Figure, Motion, Relief, human};
+use solaris_model::{Figure, Human, Motion, Relief, human};
 
 pub(crate) fn request(ground: WalkGround, step_frequency: f64) -> WalkRequest {
     WalkRequest {
@@ -104,6 +104,36 @@ fn slopes_from_standing_to_standing() {
 }
 
 /// The pace and the distance that are asked for are those on the slope, and a speed is kept where other steps are tried.
+/// A foot that leaves the ground late has little of its swing left: the knee had gone to 97° on level ground, to 121° up 10°.
+#[test]
+fn the_swinging_knee_of_slow_steps_bends_as_others_do() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let child = Human::new(1.1, 20.0).age(6.0).build().expect("a child");
+    let slope = |degrees: f64| WalkGround::Slope(degrees.to_radians());
+    for (figure, ground, step_frequency) in [
+        (&ann, WalkGround::Level, 60.0),
+        (&ann, WalkGround::Level, 70.0),
+        (&ann, slope(0.0), 60.0),
+        (&ann, slope(1.0), 60.0),
+        (&ann, slope(-3.0), 65.0),
+        (&ann, slope(6.0), 60.0),
+        (&ann, slope(10.0), 60.0),
+        (&ann, slope(10.0), 75.0),
+        (&child, WalkGround::Level, 77.0),
+        (&child, WalkGround::Level, 93.0),
+    ] {
+        let plan = walk(figure, &request(ground.clone(), step_frequency)).expect("a walk");
+        let motion = plan.motion(figure, 120.0).expect("a motion");
+        let greatest = ["left", "right"].map(|side| {
+            let angle = figure.anatomical_angle(&format!("{side}_knee.flexion")).expect("a knee");
+            let bent = |frame: usize| angle.sign * motion.q(frame)[angle.coordinate];
+            (0..motion.len()).map(bent).fold(0.0, f64::max).to_degrees()
+        });
+        let greatest = greatest[0].max(greatest[1]);
+        assert!((60.0..80.0).contains(&greatest), "{ground:?} at {step_frequency} steps/min: {greatest:.1}°");
+    }
+}
+
 #[test]
 fn what_is_asked_for_on_a_slope_is_walked() {
     let ann = human(1.75, 73.0).expect("a person");
