@@ -55,7 +55,7 @@ export function makeWalkPanel(app: App): WalkPanel {
       },
     });
     sliders.set(field.name, made);
-    const usual = STAIRS.includes(field) || BODY.includes(field) ? 'as before' : 'as people do';
+    const usual = STAIRS.includes(field) || BODY.includes(field) ? 'as usual' : 'as people do';
     const reset = button(usual, () => {
       touched.delete(field.name);
       made.value = field.value;

@@ -1,20 +1,14 @@
 // What a walk can be asked: the numbers with their sliders, the words, and the options that come of them.
 
 import type { Who } from '../engine/protocol.ts';
+import type { SliderOptions } from '../ui/slider.ts';
 
 export type Options = Record<string, unknown>;
 
 // A slider of one number; what is shown may be in another unit than what is asked.
-export interface Field {
+export interface Field extends Omit<SliderOptions, 'change'> {
   // As the engine calls it, where it is asked within which values it may be: `stairs.rise` is a part of `stairs`.
   name: string;
-  label: string;
-  unit: string;
-  low: number;
-  high: number;
-  step: number;
-  // What is shown where it was not touched.
-  value: number;
   // In which unit of the engine one of the shown is.
   scale?: number;
   // Asked for even where it was not touched.
