@@ -103,7 +103,6 @@ fn slopes_from_standing_to_standing() {
     }
 }
 
-/// The pace and the distance that are asked for are those on the slope, and a speed is kept where other steps are tried.
 /// A foot that leaves the ground late has little of its swing left: the knee had gone to 97° on level ground, to 121° up 10°.
 #[test]
 fn the_swinging_knee_of_slow_steps_bends_as_others_do() {
@@ -134,6 +133,7 @@ fn the_swinging_knee_of_slow_steps_bends_as_others_do() {
     }
 }
 
+/// The pace and the distance that are asked for are those on the slope, and a speed is kept where other steps are tried.
 #[test]
 fn what_is_asked_for_on_a_slope_is_walked() {
     let ann = human(1.75, 73.0).expect("a person");

@@ -6,10 +6,10 @@ use super::heights::Needs;
 use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_MORE_BENT, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL,
-    GROUND_LEAST_FLAT, INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, KNEE_TURNING,
-    LANDS_AS_FLAT, LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS, LAST_STRAIGHTENS,
-    LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_BELOW,
-    PEAK_FOLLOWS, PEAK_FROM, PEAK_STEEP, PEAK_UPHILL, STANDING_FROM, STANDING_TOE_OFF_RATE,
+    FLAT_STRAIGHTER, GROUND_LEAST_FLAT, INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START,
+    KNEE_TURNING, LANDS_AS_FLAT, LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS,
+    LAST_STRAIGHTENS, LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO,
+    PEAK_BELOW, PEAK_FOLLOWS, PEAK_FROM, PEAK_STEEP, PEAK_UPHILL, STANDING_FROM, STANDING_TOE_OFF_RATE,
     STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
     UNSTRETCHED, USUAL_LEG,
 };
@@ -357,6 +357,9 @@ fn note_need(
         Kind::Step => {
             let knee = law.least_knee - KNEE_FLAT_BELOW;
             spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, knee));
+            // A body that is lowered for the rest of the stance only by what a walk's end asks for would lift the leg straight here.
+            let steady = laws.gaits.of_contact(episode.index).stance_knee(flat);
+            note(flat, ankle, steady - FLAT_STRAIGHTER);
         }
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
