@@ -127,6 +127,20 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_normal_of_a_slope_leans_by_its_tangent() {
+        let lean = |normal| FootSupport { normal, ..feet(0.5)[0] }.lean(&Vector3::y());
+        let angle = 0.3_f64;
+        let expected = Vector3::new(0.0, 0.0, -angle.tan());
+        assert_relative_eq!(
+            lean(Some(Vector3::new(0.0, angle.cos(), -angle.sin()))),
+            expected,
+            epsilon = 1e-15
+        );
+        assert_eq!(lean(Some(Vector3::y())), Vector3::zeros());
+        assert_eq!(lean(None), Vector3::zeros());
+    }
+
     /// A step up, each foot on a slope of its own.
     #[test]
     fn on_slopes_the_free_moments_are_normal_to_the_ground() {

@@ -200,3 +200,36 @@ impl PlacedFeet<'_> {
         Some(Lying { footing, above, lowest: lowest.dot(up) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_foot_is_raised_by_what_it_is_above_where_it_lies() {
+        let up = Vector3::y();
+        let footing = Footing { point: Vector3::new(0.0, 0.3, 0.0), normal: Vector3::new(-0.6, 0.8, 0.0) };
+        let lying = Lying { footing, above: [0.0, 0.01, -0.02], lowest: 0.3 };
+        // The plane rises by 3 in 4.
+        let points = [0.0, 0.4, 0.8].map(|x| Vector3::new(x, 0.3 + 0.75 * x + 0.05, 7.0));
+        for (found, expected) in lying.raised(&points, &up).into_iter().zip([0.05, 0.04, 0.07]) {
+            assert_relative_eq!(found, expected, epsilon = 1e-15);
+        }
+        assert_relative_eq!(footing.below(points[1], &up), Vector3::new(0.4, 0.6, 7.0), epsilon = 1e-15);
+    }
+
+    #[test]
+    fn two_feet_stand_on_the_plane_through_both_that_is_level_aside() {
+        let up = Vector3::y();
+        let at = |x, y, z| Footing { point: Vector3::new(x, y, z), normal: Vector3::new(0.6, 0.8, 0.0) };
+        let plane = Footing::through(&at(0.0, 0.1, 0.0), &at(0.3, 0.5, 0.4), &up);
+        assert_relative_eq!(plane.point, Vector3::new(0.15, 0.3, 0.2), epsilon = 1e-15);
+        for (point, above) in [((0.3, 0.5, 0.4), 0.0), ((0.4, 0.1, -0.3), 0.0), ((0.0, 0.3, 0.0), 0.2)] {
+            let found = plane.above(&Vector3::new(point.0, point.1, point.2), &up);
+            assert_relative_eq!(found, above, epsilon = 1e-15);
+        }
+        // One above the other says nothing of a tilt.
+        assert_eq!(Footing::through(&at(0.0, 0.1, 0.0), &at(0.0, 0.5, 0.0), &up).normal, up);
+    }
+}

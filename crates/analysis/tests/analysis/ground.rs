@@ -6,5 +6,5 @@ mod laws;
 mod measured;
 mod placed;
 mod plates;
-mod support;
+pub(crate) mod support;
 mod toes;

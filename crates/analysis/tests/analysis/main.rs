@@ -1,6 +1,7 @@
 //! What is known of given motions, from outside.
 #![allow(clippy::print_stderr, reason = "what was measured")]
 
+mod balance;
 mod closed;
 mod consistency;
 mod ground;

@@ -1,6 +1,7 @@
 //! Inverse kinematics of markers, against poses that are known, and against the objective itself.
 
 mod fit;
+mod spread;
 mod unseen;
 
 use proptest::prelude::*;

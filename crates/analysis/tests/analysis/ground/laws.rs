@@ -3,7 +3,7 @@
 use crate::ground::support::{GRAVITY, ground, person, steps, swaying, swaying_at};
 use crate::states::inverse_loaded;
 use approx::assert_relative_eq;
-use solaris_analysis::ground::{Split, Stances, soles};
+use solaris_analysis::ground::{Footing, Split, Stances, soles};
 use solaris_analysis::{FootSupport, split_at_pivot};
 use solaris_dynamics::Wrench;
 use solaris_model::{Contact, Vector3};
@@ -44,6 +44,29 @@ fn a_foot_that_does_not_stand_has_nothing_and_one_alone_has_all() {
             }
         }
         assert_eq!(ground.report.irregular, 0);
+    }
+}
+
+/// As told of the contacts themselves, on level ground and on a slope.
+#[test]
+fn friction_is_what_is_along_the_ground_over_what_is_across() {
+    let figure = person();
+    let states = swaying(&figure, 101, 0.1);
+    for tilt in [0.0_f64, 0.2] {
+        let normal = Vector3::new(0.0, tilt.cos(), -tilt.sin());
+        let footings = steps().list.iter().map(|_| Footing { point: Vector3::zeros(), normal }).collect();
+        let ground = ground(&figure, &states, Split::Pivot, Stances { footings, ..steps() });
+        for (track, report) in ground.contacts.iter().zip(&ground.report.feet) {
+            let ratios = track.samples.iter().enumerate().map(|(row, contact)| {
+                let is_loaded = contact.force.y > 0.05 * ground.report.weight;
+                let pressed = contact.force.dot(&normal);
+                (row, if is_loaded { contact.force.cross(&normal).norm() / pressed } else { 0.0 })
+            });
+            let (row, most) = ratios.max_by(|a, b| a.1.total_cmp(&b.1)).expect("frames");
+            let told = report.friction.expect("it bears something");
+            assert_relative_eq!(told.value, most, epsilon = 1e-9);
+            assert_relative_eq!(told.time, states.time[row]);
+        }
     }
 }
 

@@ -36,6 +36,39 @@ fn a_hidden_arm_is_led_on() {
     }
 }
 
+/// What turns evenly before it is hidden and after goes on doing so; what turns on one side only leaves or comes to rest, by the cubic with these ends.
+#[test]
+fn a_hidden_hinge_goes_on_as_it_came_and_as_it_leaves() {
+    let hinge = Joint::new("hinge").rz().at(Vector3::x() * 0.3);
+    let figure = FigureBuilder::new("f")
+        .link(LinkSpec::root("a", Joint::new("shoulder").rz()).mass(1.0))
+        .link(LinkSpec::child("b", "a", hinge).mass(1.0))
+        .build()
+        .expect("valid");
+    let markers = markers(&figure, 4);
+    let (rate, from, to) = (0.02, 10, 30);
+    let evenly = |frame: usize| rate * frame as f64;
+    let leaving = |frame: usize| rate * frame.min(to) as f64;
+    let coming = |frame: usize| rate * frame.max(from) as f64;
+    for angle in [&evenly as &dyn Fn(usize) -> f64, &leaving, &coming] {
+        let poses: Vec<Vec<f64>> = (0..41).map(|frame| vec![0.1, angle(frame)]).collect();
+        let hidden = |frame: usize, marker: usize| marker >= 4 && frame > from && frame < to;
+        let trial = changed(&seen(&figure, &markers, &poses), |frame, marker, point| {
+            if hidden(frame, marker) { Vector3::repeat(f64::NAN) } else { point }
+        });
+        let found = solve(&figure, &markers, &trial, &IkOptions::default());
+        let lasts = (to - from) as f64;
+        let slopes = [angle(from) - angle(from - 1), angle(to + 1) - angle(to)].map(|step| step * lasts);
+        for frame in from..=to {
+            let s = (frame - from) as f64 / lasts;
+            let rise = (3.0 - 2.0 * s) * s * s * (angle(to) - angle(from));
+            let expected = angle(from) + rise + s * (1.0 - s) * ((1.0 - s) * slopes[0] - s * slopes[1]);
+            let off = (found.q[2 * frame + 1] - expected).abs();
+            assert!(off < 1e-6, "frame {frame} is off by {off}");
+        }
+    }
+}
+
 /// Before the first and after the last frame that tells, nothing moves; without markers of the root nobody knows where it is.
 #[test]
 fn what_is_never_seen_again_stays() {
