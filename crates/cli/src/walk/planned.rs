@@ -19,6 +19,8 @@ pub(super) struct Planned {
     pub(super) repeats: bool,
     /// Steps a minute that were asked for; a stride of whole frames may have others.
     pub(super) asked_frequency: f64,
+    /// The greatest flexion of the swinging knee (degrees) that was asked for.
+    pub(super) asked_knee: Option<f64>,
     /// Whether pace or direction change on the way.
     pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
@@ -109,6 +111,12 @@ impl Planned {
             forces,
             repeats: looped.is_some(),
             asked_frequency,
+            asked_knee: match &asked.request {
+                StyledRequest::Smooth(walk) => {
+                    walk.parameters.iter().find(|(name, _)| *name == "swing-knee").map(|(_, knee)| *knee)
+                }
+                _ => None,
+            },
             changes: match &asked.request {
                 StyledRequest::Smooth(walk) => !walk.then.is_empty() || walk.path.is_some(),
                 StyledRequest::Sequence(_) => true,

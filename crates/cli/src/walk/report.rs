@@ -101,6 +101,9 @@ fn peoples(motion: &Motion, distance: f64) -> Option<f64> {
     }
 }
 
+/// How much more (degrees) than asked for a knee must bend in swing for it to be told.
+const KNEE_TOLD: f64 = 2.0;
+
 impl Report {
     /// Of a person of so much mass, of which hands carry so much (kg).
     pub(crate) fn new(
@@ -116,6 +119,7 @@ impl Report {
             forces,
             repeats,
             asked_frequency,
+            asked_knee,
             changes,
             beside,
             in_part,
@@ -142,6 +146,14 @@ impl Report {
                 asked_frequency,
                 motion.len() - 1,
                 short(motion.info.rate)
+            ));
+        }
+        if let (Some(asked), Some(steady)) = (asked_knee, &measures.steady)
+            && steady.knee_swing > asked + KNEE_TOLD
+        {
+            notes.push(format!(
+                "the swinging knee bends to {:.0}°, not to the {asked}° asked for: the foot would not clear the ground",
+                steady.knee_swing
             ));
         }
         if heading_first {

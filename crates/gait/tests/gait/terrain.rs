@@ -4,8 +4,8 @@
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{
-    Extent, FEET, Stairs, WalkExtremes, WalkGround, WalkPlan, WalkRequest, measure, step_length_on_slope,
-    walk,
+    Extent, FEET, Population, Stairs, WalkExtremes, WalkGround, WalkPlan, WalkRequest, measure,
+    step_length_on_slope, walk,
 };
 use solaris_model::{Figure, Human, Motion, Relief, human};
 
@@ -120,8 +120,11 @@ fn the_swinging_knee_of_slow_steps_bends_as_others_do() {
         (&ann, slope(10.0), 75.0),
         (&child, WalkGround::Level, 77.0),
         (&child, WalkGround::Level, 93.0),
+        (&child, WalkGround::Level, 100.0),
     ] {
-        let plan = walk(figure, &request(ground.clone(), step_frequency)).expect("a walk");
+        let population = if figure == &child { Population::Child } else { Population::Adult };
+        let asked = WalkRequest { population, ..request(ground.clone(), step_frequency) };
+        let plan = walk(figure, &asked).expect("a walk");
         let motion = plan.motion(figure, 120.0).expect("a motion");
         let greatest = ["left", "right"].map(|side| {
             let angle = figure.anatomical_angle(&format!("{side}_knee.flexion")).expect("a knee");

@@ -48,6 +48,23 @@ fn whose_figure_is_given_has_no_load_and_no_age_beside_it() {
     }
 }
 
+/// Less than a foot needs to clear the ground is not walked in silence.
+#[test]
+fn a_knee_that_bends_more_than_asked_for_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let notes = |knee: &str, cadence: &str| {
+        let words = ["walk", "--steps", "8", "--swing-knee", knee, "--step-frequency", cadence];
+        let printed = succeeded(&solaris(folder.path(), &words));
+        let said = printed.lines().find_map(|line| line.strip_prefix("note: the swinging knee bends to "));
+        said.map(str::to_owned)
+    };
+    for cadence in ["70", "110"] {
+        let said = notes("55", cadence).expect("a note");
+        assert!(said.starts_with('6') && said.contains("°, not to the 55° asked for"), "{said}");
+        assert_eq!(notes("70", cadence), None);
+    }
+}
+
 #[test]
 fn no_number_of_the_report_is_missing() {
     // JSON has no infinity and no NaN: they would stand there as null.
