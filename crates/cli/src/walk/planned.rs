@@ -7,7 +7,9 @@ use crate::error::CliError;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{FEET, GaitError, SteadyRun, StyledPlan, StyledRequest, on_the_spot};
+use solaris::gait::{
+    Extent, FEET, GaitError, SteadyRun, StyledPlan, StyledRequest, WalkGround, WalkRequest, on_the_spot,
+};
 use solaris::model::{Figure, Motion};
 use std::time::{Duration, Instant};
 
@@ -21,6 +23,8 @@ pub(super) struct Planned {
     pub(super) asked_frequency: f64,
     /// The greatest flexion of the swinging knee (degrees) that was asked for.
     pub(super) asked_knee: Option<f64>,
+    /// The distance (m) that was asked for over ground where feet have to find places.
+    pub(super) asked_distance: Option<f64>,
     /// Whether pace or direction change on the way.
     pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
@@ -115,6 +119,15 @@ impl Planned {
                 StyledRequest::Smooth(walk) => {
                     walk.parameters.iter().find(|(name, _)| *name == "swing-knee").map(|(_, knee)| *knee)
                 }
+                _ => None,
+            },
+            asked_distance: match &asked.request {
+                StyledRequest::Smooth(WalkRequest {
+                    ground: WalkGround::Relief(_),
+                    extent: Extent::Distance(distance),
+                    then,
+                    ..
+                }) if then.is_empty() => Some(*distance),
                 _ => None,
             },
             changes: match &asked.request {

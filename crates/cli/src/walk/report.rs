@@ -101,8 +101,9 @@ fn peoples(motion: &Motion, distance: f64) -> Option<f64> {
     }
 }
 
-/// How much more (degrees) than asked for a knee must bend in swing for it to be told.
+/// How much more (degrees) than asked for a knee must bend in swing for it to be told, and how much longer or shorter (m) a walk must be.
 const KNEE_TOLD: f64 = 2.0;
+const DISTANCE_TOLD: f64 = 0.02;
 
 impl Report {
     /// Of a person of so much mass, of which hands carry so much (kg).
@@ -120,6 +121,7 @@ impl Report {
             repeats,
             asked_frequency,
             asked_knee,
+            asked_distance,
             changes,
             beside,
             in_part,
@@ -154,6 +156,14 @@ impl Report {
             notes.push(format!(
                 "the swinging knee bends to {:.0}°, not to the {asked}° asked for: the foot would not clear the ground",
                 steady.knee_swing
+            ));
+        }
+        if let Some(asked) = asked_distance.filter(|asked| (measures.distance - asked).abs() > DISTANCE_TOLD)
+        {
+            notes.push(format!(
+                "it goes {:.2} m, not the {} m asked for: feet stand where they find places",
+                measures.distance,
+                short(asked)
             ));
         }
         if heading_first {

@@ -2,7 +2,7 @@
 
 use crate::walk::{command, names, read, refused, solaris, succeeded};
 use serde_json::Value;
-use std::fs::OpenOptions;
+use std::fs::{self, OpenOptions};
 use std::io::Read;
 use std::process::Stdio;
 
@@ -63,6 +63,21 @@ fn a_knee_that_bends_more_than_asked_for_is_told() {
         assert!(said.starts_with('6') && said.contains("°, not to the 55° asked for"), "{said}");
         assert_eq!(notes("70", cadence), None);
     }
+}
+
+/// A block that is shorter than a sole stands where the last foot would.
+#[test]
+fn a_walk_that_ends_elsewhere_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("block.csv"), "z,height\n3.9,0\n3.9,0.1\n4.12,0.1\n4.12,0\n")
+        .expect("written");
+    let printed = |distance: &str| {
+        succeeded(&solaris(folder.path(), &["walk", "--ground", "block.csv", "--distance", distance]))
+    };
+    let beside = printed("3.9");
+    assert!(beside.contains("note: it goes 3.56 m, not the 3.9 m asked for"), "{beside}");
+    let there = printed("3.5");
+    assert!(!there.contains("asked for"), "{there}");
 }
 
 #[test]
@@ -127,7 +142,7 @@ fn every_example_of_the_help_runs() {
         .filter(|example| example.starts_with("walk "))
         .collect();
     assert!(examples.len() >= 4, "{examples:?}");
-    std::fs::write(folder.path().join("way.csv"), "x,z\n0,3\n2,3\n").expect("written");
+    fs::write(folder.path().join("way.csv"), "x,z\n0,3\n2,3\n").expect("written");
     for example in examples {
         succeeded(&solaris(folder.path(), &example.split(' ').collect::<Vec<_>>()));
     }
