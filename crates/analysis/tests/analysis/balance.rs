@@ -36,7 +36,7 @@ fn the_centre_of_mass_is_accelerated_as_its_path_has_it() {
     let mut states = exact.clone();
     for (row, a) in states.a.chunks_mut(nv).enumerate() {
         for (axis, wrong) in wrong.iter().enumerate() {
-            a[axis] += if row % 2 == 0 { *wrong } else { 0.0 };
+            a[axis] += if row.is_multiple_of(2) { *wrong } else { 0.0 };
         }
     }
     let mut motion = states.motion(&figure, GRAVITY).expect("a motion");

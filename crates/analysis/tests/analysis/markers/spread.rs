@@ -21,7 +21,7 @@ fn an_angle_is_as_uncertain_as_its_markers_are_and_as_they_are_few() {
             })
             .collect();
         let exact = seen(&figure, &markers, &poses);
-        let off = |m: usize| Vector3::z() * if m % 2 == 0 { error } else { -error };
+        let off = |m: usize| Vector3::z() * if m.is_multiple_of(2) { error } else { -error };
         let trial = changed(&exact, |_, marker, point| point + off(marker));
         let found = solve(&figure, &markers, &trial, &IkOptions::default());
         let n = f64::from(count);
