@@ -357,9 +357,11 @@ fn note_need(
         Kind::Step => {
             let knee = law.least_knee - KNEE_FLAT_BELOW;
             spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, knee));
-            // A body that is lowered for the rest of the stance only by what a walk's end asks for would lift the leg straight here.
-            let steady = laws.gaits.of_contact(episode.index).stance_knee(flat);
-            note(flat, ankle, steady - FLAT_STRAIGHTER);
+            if laws.heights.spacing() > 0.0 {
+                // A body that knots lower for the rest of the stance would stretch the leg here.
+                let steady = laws.gaits.of_contact(episode.index).stance_knee(flat);
+                note(flat, ankle, steady - FLAT_STRAIGHTER);
+            }
         }
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
