@@ -249,3 +249,17 @@ pub(crate) fn slides(joint: &JointKind) -> Vec<bool> {
             .collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::slides;
+    use solaris_model::Joint;
+
+    #[test]
+    fn forces_are_those_of_dofs_that_slide() {
+        let of = |joint: Joint| slides(joint.kind());
+        assert_eq!(of(Joint::free("root")), [true, true, true, false, false, false]);
+        assert_eq!(of(Joint::ball("hip")), [false; 3]);
+        assert_eq!(of(Joint::new("root").rx().ty().rz().tx()), [false, true, false, true]);
+    }
+}
