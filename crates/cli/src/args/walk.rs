@@ -177,7 +177,7 @@ pub(crate) struct ExtentArgs {
     ))]
     pub(crate) steps: Option<Count>,
     #[arg(long, value_name = "M", allow_hyphen_values = true, conflicts_with = "steps", help = wrap(&format!(
-        "How far to walk, met exactly, instead of a number of steps: {SHORTEST_DISTANCE} m to {} steps [default: as far as \
+        "How far to walk, met exactly but where feet have to find places, instead of a number of steps: {SHORTEST_DISTANCE} m to {} steps [default: as far as \
          the steps go]",
         STEPS.1
     )))]

@@ -21,8 +21,8 @@ pub(super) struct Planned {
     pub(super) repeats: bool,
     /// Steps a minute that were asked for; a stride of whole frames may have others.
     pub(super) asked_frequency: f64,
-    /// The greatest flexion of the swinging knee (degrees) that was asked for.
-    pub(super) asked_knee: Option<f64>,
+    /// The greatest flexion of the swinging knee (degrees) that was asked for, and that of the walk.
+    pub(super) swinging_knee: Option<[f64; 2]>,
     /// The distance (m) that was asked for over ground where feet have to find places.
     pub(super) asked_distance: Option<f64>,
     /// Whether pace or direction change on the way.
@@ -115,12 +115,7 @@ impl Planned {
             forces,
             repeats: looped.is_some(),
             asked_frequency,
-            asked_knee: match &asked.request {
-                StyledRequest::Smooth(walk) => {
-                    walk.parameters.iter().find(|(name, _)| *name == "swing-knee").map(|(_, knee)| *knee)
-                }
-                _ => None,
-            },
+            swinging_knee: asked_knee(&asked.request).zip(greatest_knee(figure, &motion)).map(Into::into),
             asked_distance: match &asked.request {
                 StyledRequest::Smooth(WalkRequest {
                     ground: WalkGround::Relief(_),
@@ -152,4 +147,19 @@ fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPost
     let plan = plan.smooth().filter(|plan| !plan.is_backward())?;
     let postures = plan.compare_postures(determinants).ok()?;
     Some(BesideKeyPostures { determinants: determinants.count(), postures })
+}
+
+/// The greatest flexion of the swinging knee (degrees) that a request asks for.
+fn asked_knee(request: &StyledRequest) -> Option<f64> {
+    let StyledRequest::Smooth(walk) = request else { return None };
+    walk.parameters.iter().find(|(name, _)| *name == "swing-knee").map(|(_, knee)| *knee)
+}
+
+/// The greatest flexion (degrees) of both knees in a motion.
+fn greatest_knee(figure: &Figure, motion: &Motion) -> Option<f64> {
+    let knees = ["left_knee.flexion", "right_knee.flexion"];
+    let angles = knees.iter().filter_map(|name| figure.anatomical_angle(name));
+    let bent = angles
+        .flat_map(|angle| (0..motion.len()).map(move |row| angle.sign * motion.q(row)[angle.coordinate]));
+    bent.map(f64::to_degrees).reduce(f64::max)
 }

@@ -102,7 +102,7 @@ fn peoples(motion: &Motion, distance: f64) -> Option<f64> {
 }
 
 /// How much more (degrees) than asked for a knee must bend in swing for it to be told, and how much longer or shorter (m) a walk must be.
-const KNEE_TOLD: f64 = 2.0;
+const KNEE_TOLD: f64 = 3.0;
 const DISTANCE_TOLD: f64 = 0.02;
 
 impl Report {
@@ -120,7 +120,7 @@ impl Report {
             forces,
             repeats,
             asked_frequency,
-            asked_knee,
+            swinging_knee,
             asked_distance,
             changes,
             beside,
@@ -150,12 +150,10 @@ impl Report {
                 short(motion.info.rate)
             ));
         }
-        if let (Some(asked), Some(steady)) = (asked_knee, &measures.steady)
-            && steady.knee_swing > asked + KNEE_TOLD
-        {
+        if let Some([asked, bends]) = swinging_knee.filter(|[asked, bends]| *bends > asked + KNEE_TOLD) {
             notes.push(format!(
-                "the swinging knee bends to {:.0}°, not to the {asked}° asked for: the foot would not clear the ground",
-                steady.knee_swing
+                "the swinging knee bends to {bends:.0}°, not to the {asked}° asked for: a foot that leaves the ground bends it on, \
+                 and has to clear the ground"
             ));
         }
         if let Some(asked) = asked_distance.filter(|asked| (measures.distance - asked).abs() > DISTANCE_TOLD)

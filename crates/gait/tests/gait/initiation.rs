@@ -143,5 +143,11 @@ fn walks_of_any_number_of_steps_obey_the_laws() {
         assert!(found.least_knee.value > 0.0, "{name}: {:?}", found.least_knee);
         assert!(found.slide.value < 1e-9 && found.sink.value < 1e-4, "{name}");
         assert!(found.beyond_range.is_none(), "{name}: {:?}", found.beyond_range);
+        let knee = |i: usize, side: usize| walked.legs(i).0[side];
+        let bends = (1..walked.motion.len() - 1)
+            .flat_map(|i| [0, 1].map(|side| knee(i - 1, side) - 2.0 * knee(i, side) + knee(i + 1, side)));
+        // Some 5000 °/s² in swing; of a knee that trembled, 40 000.
+        let hardest = bends.map(f64::abs).fold(0.0, f64::max) * RATE * RATE;
+        assert!(hardest < 10_000.0, "{name}: {hardest} °/s²");
     }
 }

@@ -58,7 +58,7 @@ fn a_knee_that_bends_more_than_asked_for_is_told() {
         let said = printed.lines().find_map(|line| line.strip_prefix("note: the swinging knee bends to "));
         said.map(str::to_owned)
     };
-    for cadence in ["70", "110"] {
+    for cadence in ["70", "110", "125"] {
         let said = notes("55", cadence).expect("a note");
         assert!(said.starts_with('6') && said.contains("°, not to the 55° asked for"), "{said}");
         assert_eq!(notes("70", cadence), None);

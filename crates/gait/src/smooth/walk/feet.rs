@@ -357,8 +357,8 @@ fn note_need(
         Kind::Step => {
             let knee = law.least_knee - KNEE_FLAT_BELOW;
             spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, knee));
-            if laws.heights.spacing() > 0.0 && !laws.heights.has(episode.index + 1) {
-                // Knots lower the body for the rest of the stance: here alone the leg would be stretched.
+            if !laws.heights.has(episode.index + 1) {
+                // The last contact before the knots of the end, which lower the body for the rest of the stance: here alone the leg would be stretched.
                 let steady = laws.gaits.of_contact(episode.index).stance_knee(flat);
                 note(flat, ankle, (steady - FLAT_STRAIGHTER.0).min(FLAT_STRAIGHTER.1));
             }
