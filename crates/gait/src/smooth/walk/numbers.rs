@@ -49,7 +49,7 @@ pub(super) const PEAK_FROM: (f64, f64) = (0.3, 0.18);
 /// Below how many steps/min of somebody with legs of usual length (m), and over how many less, that comes to be so; and over which slope
 /// uphill (rad).
 pub(super) const USUAL_LEG: f64 = 0.92;
-pub(super) const PEAK_BELOW: (f64, f64) = (82.0, 5.0);
+pub(super) const PEAK_BELOW: (f64, f64) = (90.0, 10.0);
 pub(super) const PEAK_UPHILL: f64 = 5.0 * DEGREE;
 /// From which slope on it is not asked of the last step, and over how much less it comes to be (rad).
 pub(super) const PEAK_STEEP: (f64, f64) = (13.0 * DEGREE, DEGREE);
