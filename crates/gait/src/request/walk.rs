@@ -37,7 +37,7 @@ pub(crate) fn check_turned(root: RootOrder, turned: f64) -> Result<(), RequestEr
 pub enum Extent {
     /// So many steps; the other foot then closes beside.
     Steps(usize),
-    /// So far (m), met exactly, in as few steps as people's step length allows.
+    /// So far (m), in as few steps as people's step length allows: met exactly, but where feet have to find places on the ground.
     Distance(f64),
 }
 

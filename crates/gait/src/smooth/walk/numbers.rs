@@ -42,7 +42,7 @@ pub(super) const EDGES: (f64, f64) = (0.02, 0.012);
 pub(super) const STAIR_EDGES: f64 = 0.008;
 /// How much straighter than the style's a knee on a flat foot may be (rad).
 pub(super) const KNEE_FLAT_BELOW: f64 = 0.2 * DEGREE;
-/// How much straighter than in a steady stride a knee may be whose foot has just become flat, and how bent it is enough (rad).
+/// How much straighter than in a steady stride a knee may be whose foot has just become flat, and which flexion is enough in any stride (rad).
 pub(super) const FLAT_STRAIGHTER: (f64, f64) = (2.0 * DEGREE, 13.0 * DEGREE);
 /// The part of a swing that is over at least when its knee is bent the most, and that of the last one.
 pub(super) const PEAK_FROM: (f64, f64) = (0.3, 0.18);
