@@ -57,7 +57,7 @@ pub use measure::{
 };
 pub use request::{
     CHANGING_RUN_STEPS, CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, Foothold,
-    MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd, RunPart, RunRequest, RunResolution,
+    MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk,
     SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL,
     Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
 };

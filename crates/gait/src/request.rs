@@ -15,7 +15,9 @@ pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
 pub use path::WalkPath;
 pub use population::Population;
 pub use resolution::Resolution;
-pub use run::{CHANGING_RUN_STEPS, DEFAULT_RUN_SPEED, RUN_SPEED, RunEnd, RunPart, RunRequest, RunResolution};
+pub use run::{
+    CHANGING_RUN_STEPS, DEFAULT_RUN_SPEED, RUN_SPEED, RunEnd, RunPart, RunRequest, RunResolution, RunWalk,
+};
 pub use sheet::{Change, StyleSheet};
 pub use variability::{MOST_VARIABILITY, Variability};
 pub(crate) use walk::check_turned;

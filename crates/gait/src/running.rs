@@ -17,6 +17,7 @@ mod stride;
 mod style;
 mod tempo;
 mod trunk;
+mod walk_side;
 
 pub use extremes::RunExtremes;
 pub use plan::RunPlan;

@@ -81,7 +81,7 @@ impl<'a> Judge<'a> {
                 accepted(WalkSequence::with(&self.body, &segments, planned))
             }
             StyledRequest::Thesis(walk) => accepted(thesis_judged(self.figure, &walk)),
-            StyledRequest::Run(run) => accepted(judged_run(&self.body, &run)),
+            StyledRequest::Run(run) => accepted(judged_run(self.figure, &self.body, &run)),
         }
     }
 }
@@ -110,6 +110,9 @@ fn is_of_numbers(error: &GaitError) -> bool {
                 | RequestError::FeetWouldTurn { .. }
                 | RequestError::RunChange { .. }
                 | RequestError::RunSteps { .. }
+                | RequestError::RunWalkSteps { .. }
+                | RequestError::RunWalkSlow { .. }
+                | RequestError::RunSlowerThanWalk { .. }
                 | RequestError::RunTooLong { .. }
                 | RequestError::StyleNotFinite { .. }
                 | RequestError::Foothold { .. }

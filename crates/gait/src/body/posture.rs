@@ -35,6 +35,18 @@ impl ArmCarriage {
         lean: 0.0,
     };
 
+    /// Between this one and another one: `part` of the way.
+    pub(crate) fn mixed(&self, other: &Self, part: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * part;
+        Self {
+            abduction: mix(self.abduction, other.abduction),
+            inward: mix(self.inward, other.inward),
+            clavicle: mix(self.clavicle, other.clavicle),
+            wrist: mix(self.wrist, other.wrist),
+            lean: mix(self.lean, other.lean),
+        }
+    }
+
     /// Angle of a clavicle about the vertical against the thorax, forward with the arm.
     pub(crate) fn girdle(&self, side: usize, shoulder: f64) -> f64 {
         let forward = -self.clavicle * shoulder;

@@ -68,9 +68,17 @@ pub enum RequestError {
     #[error("{steps} steps to change from {from} to {to} m/s: it takes {least} at least; give it as many")]
     RunChange { steps: usize, from: f64, to: f64, least: usize },
     #[error(
-        "{steps} steps: to come to {speed} m/s from standing, and to stand again, takes {least} at least; give it as many, or run slower"
+        "{steps} steps: to come to {speed} m/s, and from there to how it ends, takes {least} at least; give it as many, or run slower"
     )]
     RunSteps { steps: usize, speed: f64, least: usize },
+    #[error("a walk of {steps} steps beside a run; it must be {fewest} to {most}")]
+    RunWalkSteps { steps: usize, fewest: usize, most: usize },
+    #[error(
+        "a walk at {speed} m/s beside a run; it must be {least:.2} m/s at least: a slower one has no way into a flight"
+    )]
+    RunWalkSlow { speed: f64, least: f64 },
+    #[error("a run at {speed} m/s beside a walk at {walk:.2} m/s; it must be no slower than the walk")]
+    RunSlowerThanWalk { speed: f64, walk: f64 },
     #[error(
         "a run of {steps} steps that changes its speed: it is planned whole, and has {most} at most; run on in full run with another"
     )]

@@ -24,7 +24,7 @@ impl LegJet {
 }
 
 /// Values and first two derivatives of several functions at once, from seven points.
-pub(super) fn jets<const D: usize>(u: f64, h: f64, f: impl Fn(f64) -> [f64; D]) -> [Boundary; D] {
+pub(crate) fn jets<const D: usize>(u: f64, h: f64, f: impl Fn(f64) -> [f64; D]) -> [Boundary; D] {
     let values: [[f64; D]; 7] = std::array::from_fn(|i| f(u + h * (i as f64 - 3.0)));
     std::array::from_fn(|d| {
         let sum = |weights: &[f64; 7]| (0..7).map(|i| weights[i] * values[i][d]).sum::<f64>();

@@ -176,7 +176,22 @@ pub(crate) struct Swing {
 }
 
 impl Swing {
+    /// From toe-off to a contact: the toes are straight there.
     pub(crate) fn new(way: &Way<'_>, start: &LegJet, end: &LegJet) -> Result<Self, ProfileError> {
+        Self::with_toes(way, start, end, None)
+    }
+
+    /// The same, to an instant at which the foot is still in the air.
+    pub(crate) fn until(way: &Way<'_>, start: &LegJet, end: &LegJet) -> Result<Self, ProfileError> {
+        Self::with_toes(way, start, end, Some(extension(end)))
+    }
+
+    fn with_toes(
+        way: &Way<'_>,
+        start: &LegJet,
+        end: &LegJet,
+        toes: Option<Boundary>,
+    ) -> Result<Self, ProfileError> {
         let toe_off = way.toe_off;
         let spline = |waypoints: &[(f64, f64)], until: f64, start, end| {
             let mut knots = vec![toe_off];
@@ -198,18 +213,13 @@ impl Swing {
         );
         let of = |jet: fn(&Boundary) -> f64| jet(&start.knee) - jet(&start.thigh) - jet(&start.pitch);
         let after = Boundary::new(of(|b| b.position), of(|b| b.velocity), of(|b| b.acceleration));
-        let extension = Boundary::new(
-            start.pitch.position - start.toes.position,
-            start.pitch.velocity - start.toes.velocity,
-            start.pitch.acceleration - start.toes.acceleration,
-        );
         Ok(Self {
             toe_off,
             side: spline(&[], 1.0, start.side, end.side)?,
             thigh,
             knee,
             dorsiflexion: spline(way.ankle, landed_from, after, before)?,
-            toes: way.toes.spline(toe_off, SETTLED, extension, None)?,
+            toes: way.toes.spline(toe_off, SETTLED, extension(start), toes)?,
             tilt: way.tilt,
             sideways: way.sideways,
             outward: way.outward,
@@ -321,6 +331,16 @@ impl Swing {
             }
         }
     }
+}
+
+/// How far the toes are extended against the foot.
+fn extension(jet: &LegJet) -> Boundary {
+    let LegJet { pitch, toes, .. } = jet;
+    Boundary::new(
+        pitch.position - toes.position,
+        pitch.velocity - toes.velocity,
+        pitch.acceleration - toes.acceleration,
+    )
 }
 
 /// A sample of a swing over the ground: when, how high it is to be, the hip, how far the ankle is below it in the leg's plane, and the

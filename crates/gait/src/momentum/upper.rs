@@ -15,18 +15,18 @@ pub(crate) struct UpperBody {
 }
 
 impl UpperBody {
-    /// Over the nodes of a grid, from the angles of trunk and arms at each of them and which way the body faces.
+    /// Over the nodes of a grid, from how arms hang, the angles of trunk and arms and which way the body faces at each of them.
     pub(crate) fn new(
         body: &Body,
         grid: &Grid,
-        carriage: ArmCarriage,
+        carriage: impl Fn(usize) -> ArmCarriage,
         angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
     ) -> Self {
         let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
         let postures: Vec<_> = (0..grid.count)
             .map(|i| {
                 let (trunk, arms, heading) = angles(i);
-                let ahead = posture(body, &trunk, &arms, carriage);
+                let ahead = posture(body, &trunk, &arms, carriage(i));
                 if heading == 0.0 {
                     return ahead;
                 }

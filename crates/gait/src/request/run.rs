@@ -72,13 +72,52 @@ impl Default for RunRequest {
 }
 
 /// How a run begins or ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RunEnd {
     /// In full run, with a contact.
     #[default]
     Running,
     /// In standing.
     Standing,
+    /// In a walk, which itself begins or ends in standing.
+    Walking(RunWalk),
+}
+
+/// A walk out of which a run comes, or into which it goes over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunWalk {
+    /// How many steps, 3 to 30: the last one before the run leaves the ground as a runner's does, the first one after it goes on from where a runner
+    /// lands.
+    pub steps: usize,
+    /// Speed (m/s), no more than the run's beside it; people's usual one where it is left out.
+    #[doc(alias = "velocity")]
+    pub speed: Option<f64>,
+}
+
+impl Default for RunWalk {
+    fn default() -> Self {
+        Self { steps: 6, speed: None }
+    }
+}
+
+/// How many steps a walk beside a run may have.
+pub(crate) const RUN_WALK_STEPS: (usize, usize) = (3, 30);
+/// The slowest walk beside a run (m/s), at a height of 1.75 m; others' goes with its root.
+const SLOWEST_RUN_WALK: f64 = 0.95;
+
+impl RunWalk {
+    /// Refuses what is out of range, for somebody of this height (m).
+    pub(crate) fn check(&self, height: f64) -> Result<(), RequestError> {
+        let (fewest, most) = RUN_WALK_STEPS;
+        if !(fewest..=most).contains(&self.steps) {
+            return Err(RequestError::RunWalkSteps { steps: self.steps, fewest, most });
+        }
+        let least = SLOWEST_RUN_WALK * (height / 1.75).sqrt();
+        match self.speed {
+            Some(speed) if speed.is_nan() || speed < least => Err(RequestError::RunWalkSlow { speed, least }),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Some more steps of a run. Its speed changes from its first step on, as fast as a run's may; what steps are left then go on at it.

@@ -1,17 +1,20 @@
 //! A chain of running steps that are not all alike, from a given state to another one.
 
 mod basis;
+mod bound;
 mod carry;
 mod fit;
 mod footstep;
 mod legs;
+mod moving;
 mod schedule;
+mod seam;
 mod step_forces;
 mod stood;
+mod walked;
 
 use super::extremes::{RunExtremes, greatest};
-use super::style::RunStyle;
-use super::trunk;
+use super::walk_side::WalkSide;
 use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::body::leg::LegPose;
@@ -23,12 +26,14 @@ use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
 use crate::request::RunResolution;
 use crate::walking::{G, Stood};
+pub(super) use bound::{Bound, Walked};
 use carry::{Before, Carried, Laws};
 use legs::Leg;
 use nalgebra::Vector3;
 pub(super) use schedule::Schedule;
+use schedule::Upper;
 use solaris_model::Contact;
-use solaris_profiles::UniformSpline;
+use solaris_profiles::{ProfileError, UniformSpline};
 use step_forces::{StepForces, pressures};
 
 /// Passes in which legs and forces come to terms before the trunk turns, and by which part of its way it turns in a pass then.
@@ -60,7 +65,7 @@ pub(super) struct Chain {
 /// Where the body is: of each leg the hip (as that of a left leg), the pose, and by how much it is too short (m).
 struct Place {
     pelvis: Vector3<f64>,
-    trunk: [Euler; 5],
+    upper: Upper,
     legs: [(Vector3<f64>, LegPose, f64); 2],
 }
 
@@ -90,20 +95,20 @@ impl Chain {
         let step = steps[0].style.stride_time / resolution.nodes as f64;
         // What is shown begins at a node.
         let (shown, end) = (schedule.shown.0, schedule.end);
-        let start = shown - ((shown - schedule.start) / step).floor() * step;
-        let n = ((end - start) / step).ceil() as usize + 1;
+        let start = shown - ((shown - schedule.start) / step + 1e-6).floor() * step;
+        let n = ((end - start) / step - 1e-6).ceil() as usize + 1;
         let grid = Grid { count: n, step, ends: Ends::Open };
         let time = |i: usize| start + step * i as f64;
         let leg = body.leg;
-        let laws = Laws::new(&body, steps, schedule.stands, start, step, n);
-        let styles: Vec<(RunStyle, f64)> = (0..n).map(|i| schedule.trunk(time(i))).collect();
+        let seams = schedule.seams.each_ref().map(Option::as_deref);
+        let laws = Laws::new(&body, steps, schedule.stands, seams, start, step, n);
+        let walks: Vec<Option<(Posture, f64)>> = (0..n).map(|i| schedule.walks(time(i))).collect();
         let upper_of = |thorax: &[Euler]| {
-            UpperBody::new(&body, &grid, trunk::carriage(&steps[0].style), |i| {
-                let (style, u) = &styles[i];
-                (trunk::trunk(style, *u, thorax[i]), trunk::arms(style, *u), 0.0)
-            })
+            let all: Vec<Upper> =
+                (0..n).map(|i| schedule.upper(time(i), thorax[i], walks[i].as_ref())).collect();
+            UpperBody::new(&body, &grid, |i| all[i].carriage, |i| (all[i].trunk, all[i].arms, 0.0))
         };
-        let drawn: Vec<Euler> = styles.iter().map(|(style, u)| trunk::thorax(style, *u)).collect();
+        let drawn: Vec<Euler> = (0..n).map(|i| schedule.drawn(time(i), walks[i].as_ref())).collect();
         let mut thorax = drawn.clone();
         let mut upper = upper_of(&thorax);
         let plane = FootPlane::new(steps[0].style.foot_yaw);
@@ -142,7 +147,7 @@ impl Chain {
             let plan = |side: usize| {
                 let spline = UniformSpline::resting(start, step, &rows(&hip[side]))?;
                 let at = |t: f64| Vector3::from(spline.position(t));
-                Leg::plan(&body, side, steps, &forces, &at, (start, step, n))
+                Leg::plan(&body, side, steps, &forces, seams, &at, (start, step, n))
             };
             let ((left, left_needs), (right, right_needs)) = (plan(0)?, plan(1)?);
             for (k, need) in left_needs.into_iter().chain(right_needs) {
@@ -152,8 +157,11 @@ impl Chain {
                 }
             }
             let legs = [left, right];
-            let momentum =
-                kernel.momentum(&upper, |i| [0, 1].map(|side| legs[side].pose(&leg, time(i), &hip[side][i])));
+            let momentum = kernel.momentum(&upper, |i| match &walks[i] {
+                // The walk's, on its side of the seam.
+                Some((posture, part)) if *part == 0.0 => posture.legs,
+                _ => [0, 1].map(|side| legs[side].pose(&leg, time(i), &hip[side][i])),
+            });
             offset = momentum.com;
             last = Some(Pass {
                 forces,
@@ -166,11 +174,12 @@ impl Chain {
             });
         }
         let Some(mut pass) = last else { unreachable!("at least one pass") };
-        // The first print that is shown is the origin.
-        let first = pass.forces[*schedule.shown_steps.start()].along;
+        // The first print that is shown is the origin, but where a walk has come before it.
+        let first = seams[0].map_or(pass.forces[*schedule.shown_steps.start()].along, |_| 0.0);
         pass.forces.iter_mut().for_each(|forces| forces.along -= first);
         pass.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= first);
         pass.legs.iter_mut().for_each(|leg| leg.back(first));
+
         let excess = (0..n).map(|i| grid.first(i, |j| pass.momentum[j]) - pass.rate[i]);
         Ok(Self {
             pelvis: UniformSpline::resting(start, step, &rows(&pass.pelvis))?,
@@ -188,32 +197,23 @@ impl Chain {
 
     fn place(&self, time: f64) -> Place {
         let pelvis = Vector3::from(self.pelvis.position(time));
-        let (style, u) = self.schedule.trunk(time);
-        let trunk = trunk::trunk(&style, u, self.thorax.position(time));
-        let rotation = rotations::matrix(trunk[0]);
+        let walks = self.schedule.walks(time);
+        let upper = self.schedule.upper(time, self.thorax.position(time), walks.as_ref());
+        let rotation = rotations::matrix(upper.trunk[0]);
         let legs = [0, 1].map(|side| {
             let hip = pelvis + rotation * self.body.legs[side][0].offset;
             let hip = if side == 0 { hip } else { mirror(&hip) };
             (hip, self.legs[side].pose(&self.body.leg, time, &hip), self.legs[side].short(time, &hip))
         });
-        Place { pelvis, trunk, legs }
+        Place { pelvis, upper, legs }
     }
 
     /// The posture at a time (s).
     pub(super) fn configuration(&self, time: f64, q: &mut [f64]) {
         let time = time + self.schedule.shown.0;
-        let Place { pelvis, trunk, legs } = self.place(time);
+        let Place { pelvis, upper: Upper { trunk, arms, carriage }, legs } = self.place(time);
         let legs = legs.map(|(_, pose, _)| pose);
-        let (style, u) = self.schedule.trunk(time);
-        let posture = Posture {
-            pelvis,
-            trunk,
-            arms: trunk::arms(&style, u),
-            carriage: trunk::carriage(&self.schedule.steps[0].style),
-            legs,
-            heading: 0.0,
-            feet: [0.0; 2],
-        };
+        let posture = Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet: [0.0; 2] };
         posture.write(&self.body, &self.plane, q);
     }
 
@@ -266,6 +266,26 @@ impl Chain {
         let first = ((self.schedule.shown.0 - self.start) / self.step).round() as usize;
         found.momentum_excess = greatest(self.excess[first..=first + nodes].iter().map(Vector3::amax));
         found
+    }
+
+    /// The walks before and after it, in the time of the whole motion.
+    pub(super) fn walks(&self, from: &Bound, to: &Bound) -> Result<[Option<WalkSide>; 2], ProfileError> {
+        let [before, after] = &self.schedule.seams;
+        let before = match (from, before) {
+            (Bound::Walking(Walked { walk, step }), Some(seam)) => {
+                Some(WalkSide::before(walk, *step, seam.walked(seam.at))?)
+            }
+            _ => None,
+        };
+        let after = match (to, after) {
+            (Bound::Walking(Walked { walk, step }), Some(seam)) => {
+                let from = before.as_ref().map_or(0.0, |walk| walk.seen().end) + self.duration();
+                let along = self.forces[self.forces.len() - 1].along;
+                Some(WalkSide::after(walk, *step, from, seam.walked(seam.at), along)?)
+            }
+            _ => None,
+        };
+        Ok([before, after])
     }
 
     /// How long what is shown of it lasts (s).

@@ -101,6 +101,57 @@ impl RunStyle {
         Swing::new(&way, start, end)
     }
 
+    /// What is left of a swing that a walk has begun, to its end in a run: the knee bends as much less as the thigh has less far to go.
+    pub(super) fn swing_on(&self, start: &LegJet, end: &LegJet) -> Result<Swing, ProfileError> {
+        let at = |x: f64| self.duty + x * (1.0 - self.duty);
+        let [thigh, knee] = PEOPLE_CONTACT.map(|row| self.people(row));
+        let thigh_before = end.thigh.position - thigh;
+        let knee_before = end.knee.position - knee;
+        let way = Way {
+            toe_off: self.duty,
+            thigh: &[
+                (at(0.55), self.thigh_69 + 0.8 * thigh_before),
+                (at(0.82), self.thigh_88 + 0.9 * thigh_before),
+            ],
+            knee: &[
+                (at(0.25), start.knee.position + 0.2 * (self.knee_50 - start.knee.position)),
+                (at(0.64), self.knee_76),
+                (at(0.90), self.knee_93 + KNEE_FOLLOWS.1 * knee_before),
+            ],
+            ankle: &[(at(0.40), self.ankle_65), (at(0.80), self.ankle_85)],
+            toes: Toes::StraightAt(at(TOES_STRAIGHT_AT)),
+            landing: LANDING,
+            tilt: [0.0; 2],
+            soft_landing: false,
+            sideways: [0.0; 2],
+            outward: 0.5 * OUTWARD,
+        };
+        Swing::new(&way, start, end)
+    }
+
+    /// The swing from a run's toe-off into the middle of a walk's.
+    pub(super) fn swing_into(&self, start: &LegJet, end: &LegJet) -> Result<Swing, ProfileError> {
+        let at = |x: f64| self.duty + x * (1.0 - self.duty);
+        let knee_after = start.knee.position - self.people(PEOPLE_TOE_OFF[1]);
+        let between = |part: f64, from: f64, to: f64| from + part * (to - from);
+        let way = Way {
+            toe_off: self.duty,
+            thigh: &[(at(0.50), between(0.45, start.thigh.position, end.thigh.position))],
+            knee: &[
+                (at(0.25), self.knee_22 + KNEE_FOLLOWS.0 * knee_after),
+                (at(0.55), between(0.6, end.knee.position, self.knee_50)),
+            ],
+            ankle: &[(at(0.20), self.ankle_20), (at(0.5), self.ankle_45)],
+            toes: Toes::StraightAt(at(TOES_STRAIGHT_AT)),
+            landing: LANDING,
+            tilt: [0.0; 2],
+            soft_landing: true,
+            sideways: [0.0; 2],
+            outward: 0.5 * OUTWARD,
+        };
+        Swing::until(&way, start, end)
+    }
+
     /// How its foot is kept off the ground.
     pub(super) fn ground_clearance(&self) -> Clearance {
         Clearance { height: self.clearance, ..CLEARANCE }

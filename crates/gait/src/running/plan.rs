@@ -3,6 +3,7 @@
 use super::chain::Chain;
 use super::stride::RunStride;
 use super::style::RunStyle;
+use super::walk_side::WalkSide;
 use crate::body::FEET;
 use crate::body::foot::mirror;
 use crate::walking::{G, Prescribing, Stood, StrideLoop, Walking, sampled};
@@ -23,17 +24,45 @@ pub struct RunPlan {
     left_first: bool,
     /// Steps that are not all alike; none where the stride repeats.
     chain: Option<Box<Chain>>,
+    /// The walks that it comes out of and goes over into.
+    walks: [Option<WalkSide>; 2],
 }
 
 impl RunPlan {
     /// So many steps of a stride, of which the left foot's comes first or the right one's.
     pub fn new(stride: RunStride, steps: usize, left_first: bool) -> Self {
-        Self { stride, steps, left_first, chain: None }
+        Self { stride, steps, left_first, chain: None, walks: [None, None] }
     }
 
     /// Steps that are not all alike; `stride` is that of the first speed.
-    pub(super) fn changing(stride: RunStride, chain: Chain, steps: usize, left_first: bool) -> Self {
-        Self { stride, steps, left_first, chain: Some(Box::new(chain)) }
+    pub(super) fn changing(
+        stride: RunStride,
+        chain: Chain,
+        steps: usize,
+        left_first: bool,
+        walks: [Option<WalkSide>; 2],
+    ) -> Self {
+        let [before, after] = &walks;
+        let walked =
+            before.as_ref().map_or(0, |walk| walk.steps() + 1) + after.as_ref().map_or(0, WalkSide::steps);
+        Self { stride, steps: steps + walked, left_first, chain: Some(Box::new(chain)), walks }
+    }
+
+    /// How long it walks before it runs (s).
+    fn walks_until(&self) -> f64 {
+        self.walks[0].as_ref().map_or(0.0, |walk| walk.seen().end)
+    }
+
+    /// When it no longer runs (s).
+    fn runs_until(&self) -> f64 {
+        self.walks[1].as_ref().map_or_else(|| self.duration(), |walk| walk.seen().start)
+    }
+
+    /// The walk that is seen at a time.
+    fn walks_at(&self, time: f64) -> Option<&WalkSide> {
+        let [before, after] = &self.walks;
+        let before = before.as_ref().filter(|walk| time < walk.seen().end);
+        before.or(after.as_ref().filter(|walk| time > walk.seen().start))
     }
 
     /// The stride that is repeated, that of the first speed; in it the left foot touches first.
@@ -70,7 +99,11 @@ impl RunPlan {
     pub fn prints(&self) -> impl Iterator<Item = f64> + use<> {
         let step = self.style().step_length;
         let prints: Vec<f64> = match &self.chain {
-            Some(chain) => chain.prints().collect(),
+            Some(chain) => {
+                let [before, after] =
+                    self.walks.each_ref().map(|walk| walk.iter().flat_map(WalkSide::prints));
+                before.chain(chain.prints()).chain(after).collect()
+            }
             None => (0..=self.steps).map(|k| step * k as f64).collect(),
         };
         prints.into_iter()
@@ -118,7 +151,10 @@ impl RunPlan {
             (if self.left_first { step % 2 } else { (step + 1) % 2 }, stood)
         };
         let mut stood: Vec<(usize, Stood)> = match &self.chain {
-            Some(chain) => chain.stood().collect(),
+            Some(chain) => {
+                let later = self.walks_until();
+                chain.stood().map(|(side, stood)| (side, stood.later(later))).collect()
+            }
             None => (0..=self.steps).map(steady).collect(),
         };
         stood.sort_by(|a, b| a.1.landed.total_cmp(&b.1.landed));
@@ -129,14 +165,21 @@ impl RunPlan {
 impl Trajectory for RunPlan {
     fn duration(&self) -> f64 {
         match &self.chain {
-            Some(chain) => chain.duration(),
+            Some(chain) => match &self.walks[1] {
+                Some(walk) => walk.seen().end,
+                None => self.walks_until() + chain.duration(),
+            },
             None => 0.5 * self.steps as f64 * self.style().stride_time,
         }
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {
         if let Some(chain) = &self.chain {
-            return chain.configuration(t, q);
+            match self.walks_at(t) {
+                Some(walk) => walk.configuration(t, self.stride.body.root, q),
+                None => chain.configuration(t - self.walks_until(), q),
+            }
+            return;
         }
         let u = self.clock(t);
         if self.left_first {
@@ -158,11 +201,11 @@ impl Trajectory for RunPlan {
 impl Walking for RunPlan {
     /// In full run the last touch-down is the one with which it ends.
     fn events(&self) -> Vec<Event> {
-        let mut events = Vec::new();
-        let end = self.duration();
+        let mut events: Vec<Event> = self.walks.iter().flatten().flat_map(WalkSide::events).collect();
+        let end = self.runs_until();
         for (side, Stood { landed, toe_off, .. }) in self.stood() {
             let link = FEET[side].to_owned();
-            if landed >= 0.0 {
+            if landed >= self.walks_until() {
                 events.push(Event { time: landed, kind: EventKind::TouchDown { link: link.clone() } });
             }
             if toe_off < end {
@@ -174,24 +217,44 @@ impl Walking for RunPlan {
     }
 
     fn planted(&self, figure: &Figure) -> Vec<Interval> {
-        let end = self.duration();
+        let (begin, end) = (self.walks_until(), self.runs_until());
         let planted = self
             .stood()
             .into_iter()
             .flat_map(|(side, stood)| stood.planted(figure, side).collect::<Vec<_>>());
         let within = planted.map(|planted| Interval {
-            start: planted.start.max(0.0),
+            start: planted.start.max(begin),
             end: planted.end.min(end),
             ..planted
         });
-        within.filter(|planted| planted.start < planted.end).collect()
+        let [before, after] = self
+            .walks
+            .each_ref()
+            .map(|walk| walk.iter().flat_map(|walk| walk.planted(figure)).collect::<Vec<Interval>>());
+        let mut all = before;
+        for interval in within.filter(|planted| planted.start < planted.end).chain(after) {
+            // What is planted at a seam stays so.
+            let goes_on = |before: &&mut Interval| {
+                before.end >= interval.start
+                    && [begin, end].contains(&interval.start)
+                    && (before.link, before.point) == (interval.link, interval.point)
+            };
+            match all.iter_mut().find(goes_on) {
+                Some(before) => before.end = interval.end,
+                None => all.push(interval),
+            }
+        }
+        all
     }
 }
 
 impl Prescribing for RunPlan {
     fn contacts(&self, t: f64) -> [Contact; 2] {
         if let Some(chain) = &self.chain {
-            return chain.forces(t);
+            return match self.walks_at(t) {
+                Some(walk) => walk.contacts(t),
+                None => chain.forces(t - self.walks_until()),
+            };
         }
         let feet = self.stride.forces(self.clock(t));
         if self.left_first {

@@ -1,6 +1,6 @@
 //! The runner: it plans a run that holds.
 
-use super::chain::{Chain, Schedule};
+use super::chain::{Bound, Chain, Schedule, Walked};
 use super::extremes::RunExtremes;
 use super::plan::RunPlan;
 use super::stride::RunStride;
@@ -9,8 +9,12 @@ use super::tempo;
 use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
-use crate::request::{Extent, RUN_SPEED, RunEnd, RunRequest, RunResolution, SHORTEST_DISTANCE, STEPS};
+use crate::request::{
+    Extent, RUN_SPEED, RunEnd, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STEPS, WalkRequest,
+};
+use crate::smooth::walk;
 use solaris_model::Figure;
+use std::sync::Arc;
 
 /// Friction that a run may need.
 #[doc(alias = "friction coefficient")]
@@ -23,6 +27,8 @@ const SHORT: f64 = 1e-4;
 const EXCESS: f64 = 1e-2;
 /// The same of a run that changes.
 const MORE_EXCESS: f64 = 3e-2;
+/// Steps that a walk is planned on after the one that a run leaves: its last ones differ from the others.
+const WALKED_ON: usize = 5;
 /// Instants of a stride that are looked at.
 const INSTANTS: usize = 400;
 /// By how much speeds are tried apart where one does not hold (m/s), and how often the way between is halved.
@@ -41,7 +47,7 @@ const HALVED: usize = 5;
 pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> {
     missing::check(figure)?;
     let body = Body::of(figure)?.with_legs_alike()?;
-    judged(&body, request).map_err(|error| match error {
+    judged(figure, &body, request).map_err(|error| match error {
         GaitError::Plan(PlanError::NotRunnable { speed, what, nearest: advice }) if advice.is_empty() => {
             let nearest = nearest(&body, speed, request.resolution);
             PlanError::NotRunnable { speed, what, nearest }.into()
@@ -51,7 +57,7 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
 }
 
 /// The same without the nearest speed that holds, which takes many plans.
-pub(crate) fn judged(body: &Body, request: &RunRequest) -> Result<RunPlan, GaitError> {
+pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Result<RunPlan, GaitError> {
     let speed = request.speed;
     range("speed", speed, " m/s", RUN_SPEED, String::new)?;
     let style = RunStyle::of(body.height, speed);
@@ -68,8 +74,28 @@ pub(crate) fn judged(body: &Body, request: &RunRequest) -> Result<RunPlan, GaitE
     if let Extent::Distance(distance) = request.extent {
         return Err(RequestError::RunDistance { distance }.into());
     }
-    let all = tempo::tempo(speed, steps, &request.then, ends)?;
-    let schedule = Schedule::new(body.height, &all, ends, request.left_first, request.resolution)?;
+    let from = match request.from {
+        RunEnd::Running => Bound::Running,
+        RunEnd::Standing => Bound::Standing,
+        RunEnd::Walking(part) => Bound::Walking(walked(figure, body, part, part.steps, request.left_first)?),
+    };
+    let left_first = match &from {
+        Bound::Walking(walked) => walked.next_left(),
+        _ => request.left_first,
+    };
+    // Which foot lands after the last of its steps.
+    let count = steps + request.then.iter().map(|part| part.steps).sum::<usize>();
+    let left_last = count.is_multiple_of(2) == left_first;
+    let to = match request.to {
+        RunEnd::Running => Bound::Running,
+        RunEnd::Standing => Bound::Standing,
+        RunEnd::Walking(part) => {
+            let left_first = (WALKED_ON % 2 == 1) == left_last;
+            Bound::Walking(walked(figure, body, part, WALKED_ON, left_first)?)
+        }
+    };
+    let all = tempo::tempo(speed, steps, &request.then, ends, [from.walks_at(), to.walks_at()])?;
+    let schedule = Schedule::new(body, &all, (&from, &to), left_first, request.resolution)?;
     let chain = Chain::plan(body.clone(), schedule, request.resolution, stride.com(0).y)?;
     if let Some(what) = fault(&chain.extremes(), MORE_EXCESS, body) {
         return Err(PlanError::NotRunnable {
@@ -79,7 +105,26 @@ pub(crate) fn judged(body: &Body, request: &RunRequest) -> Result<RunPlan, GaitE
         }
         .into());
     }
-    Ok(RunPlan::changing(stride, chain, all.len(), request.left_first))
+    let walks = chain.walks(&from, &to)?;
+    Ok(RunPlan::changing(stride, chain, all.len(), request.left_first, walks))
+}
+
+/// A walk out of which a run comes after its step `step`, or into which it goes over in that step.
+fn walked(
+    figure: &Figure,
+    body: &Body,
+    part: RunWalk,
+    step: usize,
+    left_first: bool,
+) -> Result<Walked, GaitError> {
+    part.check(body.height)?;
+    let request = WalkRequest {
+        speed: part.speed,
+        extent: Extent::Steps(part.steps + WALKED_ON),
+        left_first,
+        ..WalkRequest::default()
+    };
+    Ok(Walked { walk: Arc::new(walk(figure, &request)?), step })
 }
 
 /// The number of steps that is asked for.

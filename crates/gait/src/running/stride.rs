@@ -94,10 +94,15 @@ impl RunStride {
         let laws = ForceLaws::new(style, n)?;
         let prescribed = Prescribed::new(&body, style, &laws, n);
         let upper_of = |thorax: &[Euler]| {
-            UpperBody::new(&body, &grid, trunk::carriage(style), |i| {
-                let u = clock(i);
-                (trunk::trunk(style, u, thorax[i]), trunk::arms(style, u), 0.0)
-            })
+            UpperBody::new(
+                &body,
+                &grid,
+                |_| trunk::carriage(style),
+                |i| {
+                    let u = clock(i);
+                    (trunk::trunk(style, u, thorax[i]), trunk::arms(style, u), 0.0)
+                },
+            )
         };
         let drawn: Vec<Euler> = (0..n).map(|i| trunk::thorax(style, clock(i))).collect();
         let mut thorax = drawn.clone();

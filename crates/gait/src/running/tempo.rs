@@ -10,11 +10,18 @@ const CHANGE: f64 = 0.25;
 const ENDS_CHANGE: f64 = 0.30;
 /// The speed of the first step from standing and of the last before it (m/s).
 const SLOW: f64 = 1.2;
+/// By how much the first step of a run is faster than the walk before it (m/s).
+const FASTER: f64 = 0.3;
 
-/// How many steps a run has at least that begins and ends so, for its speed (m/s) to be reached.
+/// How many steps a run has at least that begins and ends so, for its speed (m/s) to be reached, walks beside it not counted.
 pub fn least_run_steps(speed: f64, from: RunEnd, to: RunEnd) -> usize {
-    let ramp = ((speed - SLOW) / ENDS_CHANGE - 1e-9).ceil().max(0.0) as usize;
-    1 + [from, to].into_iter().filter(|end| *end == RunEnd::Standing).count() * ramp
+    least(speed, [from, to].map(|end| (end != RunEnd::Running).then_some(SLOW)))
+}
+
+/// The same for the speeds of the first and of the last step, where it does not begin or end in full run.
+fn least(speed: f64, ends: [Option<f64>; 2]) -> usize {
+    let ramp = |slow: f64| ((speed - slow) / ENDS_CHANGE - 1e-9).ceil().max(0.0) as usize;
+    1 + ends.into_iter().flatten().map(ramp).sum::<usize>()
 }
 
 /// How many steps a change of speed takes.
@@ -32,12 +39,13 @@ fn speeds(before: f64, part: &RunPart) -> impl Iterator<Item = f64> + use<> {
     (1..=part.steps).map(move |k| before + 0.5 * change * (1.0 - (PI * (k as f64 / least).min(1.0)).cos()))
 }
 
-/// The speeds of all steps of a run whose first part has `steps` of them.
+/// The speeds of all steps of a run whose first part has `steps` of them, for those of the walks beside it.
 pub(super) fn tempo(
     speed: f64,
     steps: usize,
     then: &[RunPart],
     (from, to): (RunEnd, RunEnd),
+    walks: [Option<f64>; 2],
 ) -> Result<Vec<f64>, GaitError> {
     let refuse = |part: usize, why: RequestError| match part {
         0 => GaitError::from(why),
@@ -59,28 +67,34 @@ pub(super) fn tempo(
         speeds_of_all.extend(speeds(before, part));
         before = part.speed;
     }
-    // Each end within its own part.
-    let last = then.last().map_or(steps, |part| part.steps);
-    let ends = if then.is_empty() {
-        vec![(speed, steps, from, to)]
-    } else {
-        vec![(speed, steps, from, RunEnd::Running), (before, last, RunEnd::Running, to)]
+    for (walk, run) in walks.into_iter().zip([speed, before]) {
+        if let Some(walk) = walk.filter(|walk| *walk > run) {
+            return Err(RequestError::RunSlowerThanWalk { speed: run, walk }.into());
+        }
+    }
+    let slow = |end: RunEnd, walk: Option<f64>| match end {
+        RunEnd::Running => None,
+        RunEnd::Standing | RunEnd::Walking(_) => Some(walk.map_or(SLOW, |walk| (walk + FASTER).max(SLOW))),
     };
-    for (k, (speed, steps, from, to)) in ends.into_iter().enumerate() {
-        let least = least_run_steps(speed, from, to);
+    let (first, last) = (slow(from, walks[0]), slow(to, walks[1]));
+    // Each end within its own part.
+    let ends = if then.is_empty() {
+        vec![(speed, steps, [first, last])]
+    } else {
+        let own = then.last().map_or(steps, |part| part.steps);
+        vec![(speed, steps, [first, None]), (before, own, [None, last])]
+    };
+    for (k, (speed, steps, ends)) in ends.into_iter().enumerate() {
+        let least = least(speed, ends);
         if steps < least {
             return Err(refuse(k * then.len(), RequestError::RunSteps { steps, speed, least }));
         }
     }
     let n = speeds_of_all.len();
-    let rising = |k: usize| SLOW + ENDS_CHANGE * k as f64;
+    let rising =
+        |slow: Option<f64>, k: usize| slow.map_or(f64::INFINITY, |slow| slow + ENDS_CHANGE * k as f64);
     for (k, speed) in speeds_of_all.iter_mut().enumerate() {
-        if from == RunEnd::Standing {
-            *speed = speed.min(rising(k));
-        }
-        if to == RunEnd::Standing {
-            *speed = speed.min(rising(n - 1 - k));
-        }
+        *speed = speed.min(rising(first, k)).min(rising(last, n - 1 - k));
     }
     Ok(speeds_of_all)
 }

@@ -66,10 +66,15 @@ impl StridePlan {
         let stride = Vector3::new(0.0, style.rise(), style.step_length) * 2.0;
         let leg = body.leg;
         let laws = Laws::new(&body, style, n)?;
-        let upper = UpperBody::new(&body, &grid, style.manner.carriage(), |i| {
-            let (trunk, arms) = angles(style, clock(i));
-            (trunk, arms, 0.0)
-        });
+        let upper = UpperBody::new(
+            &body,
+            &grid,
+            |_| style.manner.carriage(),
+            |i| {
+                let (trunk, arms) = angles(style, clock(i));
+                (trunk, arms, 0.0)
+            },
+        );
         let plane = FootPlane::new(style.foot_yaw);
         let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0, |_, _| style.slope);
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();

@@ -16,6 +16,18 @@ pub(crate) struct Stood {
 }
 
 impl Stood {
+    /// The same so much later (s).
+    pub(crate) fn later(self, by: f64) -> Self {
+        Self {
+            landed: self.landed + by,
+            flat: self.flat + by,
+            on_ball: self.on_ball,
+            heel_off: self.heel_off + by,
+            tip_roll: self.tip_roll + by,
+            toe_off: self.toe_off + by,
+        }
+    }
+
     /// When which point of the sole of the foot on a side is planted: the heel until it rises, the foot's ball while the foot is
     /// flat, the toes' ball until they roll, their tip until it lifts.
     pub(crate) fn planted(&self, figure: &Figure, side: usize) -> impl Iterator<Item = Interval> + use<> {

@@ -48,6 +48,7 @@ mod refusals;
 mod reports;
 mod running;
 mod running_changes;
+mod running_walks;
 mod sequence;
 mod set;
 mod smooth_laws;

@@ -15,13 +15,13 @@ fn request(speed: f64, steps: usize, then: &[(usize, f64)], (from, to): (RunEnd,
     RunRequest { speed, extent: Extent::Steps(steps), then, from, to, ..RunRequest::default() }
 }
 
-fn planned(figure: &Figure, request: &RunRequest) -> RunPlan {
+pub(super) fn planned(figure: &Figure, request: &RunRequest) -> RunPlan {
     run(figure, request).unwrap_or_else(|why| panic!("{request:?}: {why}"))
 }
 
 /// By how much the whole body's force differs from the law's at the plan's nodes, while a foot stands and in flight (N), by inverse dynamics
 /// on differences of the configuration.
-fn off(figure: &Figure, plan: &RunPlan) -> [f64; 2] {
+pub(super) fn off(figure: &Figure, plan: &RunPlan) -> [f64; 2] {
     let motion = plan.motion(figure, 1.0 / plan.resolution()).expect("samples");
     let tree = Tree::<f64>::new(figure, motion.info.gravity).expect("a tree");
     let (mut workspace, mut tau) = (Workspace::new(&tree), vec![0.0; tree.nv()]);

@@ -1,6 +1,7 @@
 //! The laws of a stance at one instant, and what their amplitudes are expected to be.
 
 use crate::running::laws::TWIST;
+use nalgebra::Vector3;
 
 /// How many amplitudes a stance has at most: of the vertical force, of the fore-aft and the lateral one, of the way of the pressure.
 pub(super) const LIFTS: usize = 2;
@@ -41,4 +42,9 @@ pub(super) struct Basis {
     /// Part of the force that the other foot has, and vertical force that an amplitude brings to it.
     pub(super) other: f64,
     pub(super) shift: f64,
+    /// As a walk is carried: horizontal force for a vertical one of 1 and free moment (N m) in the world, and how far to the outside of the
+    /// foot's axis it presses (m).
+    pub(super) towards: Vector3<f64>,
+    pub(super) given_twist: f64,
+    pub(super) outward: f64,
 }

@@ -5,11 +5,13 @@ mod trunk;
 use super::basis::{Basis, Expected, LIFTS, Priors};
 use super::fit::Fit;
 use super::footstep::Footstep;
+use super::seam::{MET, Seam};
 use super::step_forces::{StepForces, pressures, sign};
 use super::stood::STANDING_PRESSURE;
 use crate::body::Body;
 use crate::body::foot::FootPlane;
 use crate::body::rotations::Euler;
+use crate::grid::{Ends, Grid};
 use crate::running::forces::trunk_inertia;
 use crate::running::laws::TWIST;
 use crate::running::open::Open;
@@ -34,6 +36,9 @@ pub(super) struct Laws<'a> {
     body: &'a Body,
     steps: &'a [Footstep],
     stands: Stands,
+    /// With the walks before and after it.
+    seams: [Option<&'a Seam>; 2],
+    grid: Grid,
     priors: Vec<Priors>,
     start: f64,
     step: f64,
@@ -87,6 +92,7 @@ impl<'a> Laws<'a> {
         body: &'a Body,
         steps: &'a [Footstep],
         stands: Stands,
+        seams: [Option<&'a Seam>; 2],
         start: f64,
         step: f64,
         nodes: usize,
@@ -114,6 +120,8 @@ impl<'a> Laws<'a> {
             body,
             steps,
             stands,
+            seams,
+            grid: Grid { count: nodes, step, ends: Ends::Open },
             start,
             step,
         };
@@ -196,7 +204,7 @@ impl<'a> Laws<'a> {
             (row, self.value(&fall, time))
         };
         for (k, footstep) in self.steps.iter().enumerate() {
-            if k == 0 && self.stands.first {
+            if k == 0 && (self.stands.first || self.seams[0].is_some()) {
                 continue;
             }
             let (row, fall) = row(footstep.time);
@@ -211,6 +219,23 @@ impl<'a> Laws<'a> {
             fit.exactly(&only(unknowns), heights[0]);
             fit.exactly(&only(unknowns + 1), 0.0);
             // Which keeps them determined.
+            fit.expect(unknowns, heights[0], 1.0);
+            fit.expect(unknowns + 1, 0.0, 1.0);
+        }
+        if let Some((met, at, rate)) = self.met(1) {
+            let mut row: Vec<f64> = waves.iter().map(|(.., way)| self.grid.first(met, |i| way[i])).collect();
+            row.extend([0.0, 1.0]);
+            fit.exactly(&row, rate.y - self.grid.first(met, |i| fall[i]));
+            row = waves.iter().map(|(.., way)| way[met]).collect();
+            row.extend([1.0, self.time(met)]);
+            fit.exactly(&row, at.y - fall[met]);
+        }
+        if let Some((_, at, rate)) = self.met(0) {
+            let mut row = vec![0.0; unknowns + 2];
+            row[unknowns + 1] = 1.0;
+            fit.exactly(&row, rate.y - self.grid.first(MET, |i| fall[i]));
+            (row[unknowns], row[unknowns + 1]) = (1.0, self.time(MET));
+            fit.exactly(&row, at.y - fall[MET]);
             fit.expect(unknowns, heights[0], 1.0);
             fit.expect(unknowns + 1, 0.0, 1.0);
         }
@@ -274,15 +299,36 @@ impl<'a> Laws<'a> {
         before: Option<&Before<'_>>,
     ) -> Option<(Vec<f64>, Vec<f64>, Fitted)> {
         let (nodes, count, foot) = (self.nodes(), self.steps.len(), self.body.leg.foot_length());
-        let faster = self.each(|k, basis| self.body.mass * forces[k].gain * basis.faster);
+        let given = self.given(forces, 2);
+        if let Some((_, speed)) = self.begun(&self.moved(&given), 2) {
+            // What carries it out of the walk makes it faster too.
+            let (_, left) = self.spans[0];
+            let after = self.moved(&given);
+            forces[0].gain -= speed + self.grid.first(left + 2, |i| after[i]);
+        }
+        if let Some((met, _, rate)) = self.met(1) {
+            let before: f64 = forces[..count - 1].iter().map(|forces| forces.gain).sum();
+            let way = self.moved(&given);
+            let begun = self.begun(&way, 2).map_or(speed, |(_, speed)| speed);
+            forces[count - 1].gain = rate.z - begun - before - self.grid.first(met, |i| way[i]);
+        }
+        let faster: Vec<f64> = self
+            .each(|k, basis| self.body.mass * forces[k].gain * basis.faster)
+            .iter()
+            .zip(&given)
+            .map(|(faster, given)| faster + given)
+            .collect();
+        let way = self.moved(&faster);
+        let (begin, speed) = self.begun(&way, 2).unwrap_or((0.0, speed));
         let mut com_z: Vec<f64> =
-            self.moved(&faster).iter().enumerate().map(|(i, way)| way + speed * self.time(i)).collect();
+            way.iter().enumerate().map(|(i, way)| begin + way + speed * self.time(i)).collect();
         let contact = |k: usize| self.steps[k].time.max(self.start);
         let at_contact: Vec<f64> = (0..count).map(|k| self.value(&com_z, contact(k))).collect();
         let base: Vec<f64> = (0..nodes)
             .map(|i| {
                 let Some((k, basis)) = &self.at[i] else { return 0.0 };
-                let pressed = basis.pressure * foot * self.plane.forward.z;
+                let pressed =
+                    basis.pressure * foot * self.plane.forward.z + basis.outward * self.plane.left.z;
                 (com_z[i] - at_contact[*k] - pressed) * vertical[i] - height[i] * faster[i]
             })
             .collect();
@@ -314,12 +360,26 @@ impl<'a> Laws<'a> {
                 }
             }
             prints.push(columns.len());
-            let stands = k == 0 && self.stands.first;
-            // Standing, it presses under the centre of mass.
-            let expected = stands.then_some((-STANDING_PRESSURE * foot * self.plane.forward.z, EXACT));
+            let expected = match self.seams[0] {
+                Some(seam) if k == 0 => Some((seam.print.z - at_contact[0], EXACT)),
+                // Standing, it presses under the centre of mass.
+                _ => (k == 0 && self.stands.first)
+                    .then_some((-STANDING_PRESSURE * foot * self.plane.forward.z, EXACT)),
+            };
             columns.push(Column { from, moment: (from..to).map(|i| -vertical[i]).collect(), expected });
         }
-        let along = self.fit(0, base, &columns, &[], before)?;
+        let mut rows = Vec::new();
+        if let (Some((met, at, _)), Some(seam)) = (self.met(1), self.seams[1]) {
+            // In the walk it is where the walk has it over the last print.
+            let touches = contact(count - 1);
+            let mut row = vec![0.0; columns.len()];
+            for (_, _, at, wave) in &waves {
+                row[*at] = wave.way[met] - self.value(&wave.way, touches);
+            }
+            row[prints[count - 1]] = -1.0;
+            rows.push((row, at.z - seam.print.z - com_z[met] + at_contact[count - 1]));
+        }
+        let along = self.fit(0, base, &columns, &rows, before)?;
         for &(k, n, at, wave) in &waves {
             let a = along.amplitudes[at];
             forces[k].fore_aft[n] = a;
@@ -350,11 +410,16 @@ impl<'a> Laws<'a> {
         let (weight, foot) = (self.weight(), self.body.leg.foot_length());
         let sides: Vec<f64> = self.steps.iter().map(|footstep| sign(footstep.side)).collect();
         let base = self.each(|k, basis| {
-            let pressed = forces[k].pressure(basis) * foot * self.plane.forward.x;
+            let pressed =
+                forces[k].pressure(basis) * foot * self.plane.forward.x + basis.outward * self.plane.left.x;
             let own = 1.0 - basis.other;
             let out = own * pressed - basis.other * (pressed + 2.0 * self.priors[k].aside.0);
             weight * forces[k].vertical(basis) * sides[k] * out
         });
+        let given = self.given(forces, 0);
+        let given_way = self.moved(&given);
+        let base: Vec<f64> =
+            (0..nodes).map(|i| base[i] + height[i] * given[i] - given_way[i] * vertical[i]).collect();
         let (mut columns, mut waves, mut others) = (Vec::new(), Vec::new(), Vec::new());
         for k in 0..count {
             let (from, to) = self.spans[k];
@@ -388,14 +453,14 @@ impl<'a> Laws<'a> {
         }
         // Where the centre of mass begins, and how fast.
         let begin = columns.len();
-        let known = self.stands.first.then_some((0.0, EXACT));
+        let begun = self.begun(&given_way, 0).or(self.stands.first.then_some((0.0, 0.0)));
         columns.push(Column {
             from: 0,
             moment: vertical.iter().map(|force| -force).collect(),
-            expected: known,
+            expected: begun.map(|(at, _)| (at, EXACT)),
         });
         let moment = (0..nodes).map(|i| -self.time(i) * vertical[i]).collect();
-        columns.push(Column { from: 0, moment, expected: known });
+        columns.push(Column { from: 0, moment, expected: begun.map(|(_, rate)| (rate, EXACT)) });
         let mut rows = Vec::new();
         if self.stands.last {
             // In the end it is at rest.
@@ -405,11 +470,25 @@ impl<'a> Laws<'a> {
                 row[*at] = rate(&wave.way);
             }
             row[begin + 1] = 1.0;
-            rows.push((row, 0.0));
+            rows.push((row, -rate(&given_way)));
+        }
+        if let Some((met, at, rate)) = self.met(1) {
+            let mut row = vec![0.0; columns.len()];
+            for (_, _, at, wave) in &waves {
+                row[*at] = self.grid.first(met, |i| wave.way[i]);
+            }
+            row[begin + 1] = 1.0;
+            rows.push((row, rate.x - self.grid.first(met, |i| given_way[i])));
+            let mut row = vec![0.0; columns.len()];
+            for (_, _, at, wave) in &waves {
+                row[*at] = wave.way[met];
+            }
+            (row[begin], row[begin + 1]) = (1.0, self.time(met));
+            rows.push((row, at.x - given_way[met]));
         }
         let aside = self.fit(2, base, &columns, &rows, before)?;
         let (x0, v0) = (aside.amplitudes[begin], aside.amplitudes[begin + 1]);
-        let mut com_x: Vec<f64> = (0..nodes).map(|i| x0 + v0 * self.time(i)).collect();
+        let mut com_x: Vec<f64> = (0..nodes).map(|i| x0 + v0 * self.time(i) + given_way[i]).collect();
         for &(k, n, at, wave) in &waves {
             let a = aside.amplitudes[at];
             forces[k].lateral[n] = a;
@@ -426,6 +505,26 @@ impl<'a> Laws<'a> {
         Some((com_x, aside))
     }
 
+    /// The node at which the chain agrees with the walk before it or after it, and where the walk's centre of mass is there and how fast.
+    fn met(&self, end: usize) -> Option<(usize, Vector3<f64>, Vector3<f64>)> {
+        let node = if end == 0 { MET } else { self.nodes() - 1 - MET };
+        let (at, rate) = self.seams[end]?.com(self.start + self.time(node));
+        Some((node, at, rate))
+    }
+
+    /// The force along an axis that is in a walk's direction (N).
+    fn given(&self, forces: &[StepForces], axis: usize) -> Vec<f64> {
+        self.each(|k, basis| self.weight() * forces[k].vertical(basis) * basis.towards[axis])
+    }
+
+    /// Where the centre of mass is at the first node along an axis, and its rate there, where it comes out of a walk; the forces that are
+    /// known have moved it by `way` since.
+    fn begun(&self, way: &[f64], axis: usize) -> Option<(f64, f64)> {
+        let (_, at, rate) = self.met(0)?;
+        let rate = rate[axis] - self.grid.first(MET, |i| way[i]);
+        Some((at[axis] - way[MET] - rate * self.time(MET), rate))
+    }
+
     /// The free moments.
     fn about(
         &self,
@@ -440,7 +539,7 @@ impl<'a> Laws<'a> {
                 let Some((k, basis)) = &self.at[i] else { return 0.0 };
                 let (force, _) = forces[*k].force(self.steps[*k].side, basis);
                 let cop = self.pressure(*k, &forces[*k], basis);
-                weight * ((cop.z - com_z[i]) * force.x - (cop.x - com_x[i]) * force.z)
+                weight * ((cop.z - com_z[i]) * force.x - (cop.x - com_x[i]) * force.z) + basis.given_twist
             })
             .collect();
         let mut columns = Vec::new();

@@ -2,6 +2,7 @@
 
 use super::basis::{Basis, Priors};
 use super::stood::{Begin, Finish};
+use super::walked::{Arrival, Launch};
 use crate::running::forces::{FORE_AFT_SPREAD, LATERAL, LATERAL_SPREAD, TWIST_SPREAD};
 use crate::running::laws::{ForceLaws, on_ground};
 use crate::running::style::RunStyle;
@@ -22,6 +23,8 @@ enum Kind {
     },
     Begin(Begin),
     Finish(Finish),
+    Launch(Launch),
+    Arrival(Arrival),
 }
 
 /// What a foot does in a stance.
@@ -32,6 +35,10 @@ pub(super) enum Role {
     /// It stands and leaves, before the other or after it.
     LeavesFirst,
     LeavesLast,
+    /// A walk has set it down, and it leaves in a run.
+    Launches,
+    /// It lands in a run, and a walk goes on from it.
+    Arrives,
     /// It lands to stand, before the other or beside it.
     Stops,
     Closes,
@@ -89,11 +96,24 @@ impl Footstep {
         Self { side, time, style: *style, kind: Kind::Finish(finish) }
     }
 
+    /// The foot on `side` stands as a walk has set it down, and leaves.
+    pub(super) fn launch(style: &RunStyle, launch: Launch) -> Self {
+        Self { side: launch.seam.side, time: 0.0, style: *style, kind: Kind::Launch(launch) }
+    }
+
+    /// The foot on `side` lands in a run, and a walk goes on from it.
+    pub(super) fn arrival(style: &RunStyle, arrival: Arrival) -> Self {
+        let (side, time) = (arrival.seam.side, arrival.lands);
+        Self { side, time, style: *style, kind: Kind::Arrival(arrival) }
+    }
+
     /// When the body is in the air again, or at rest (s).
     pub(super) fn end(&self) -> f64 {
         match &self.kind {
             Kind::Stride { .. } => self.time + self.style.contact_time(),
             Kind::Begin(begin) => begin.last,
+            Kind::Launch(launch) => launch.last,
+            Kind::Arrival(arrival) => arrival.seam.at,
             Kind::Finish(finish) => self.time + finish.rest,
         }
     }
@@ -107,6 +127,8 @@ impl Footstep {
                 (other, Role::LeavesFirst, self.time, Some(begin.first)),
                 (own, Role::LeavesLast, self.time, Some(begin.last)),
             ],
+            Kind::Launch(launch) => vec![(own, Role::Launches, self.time, Some(launch.last))],
+            Kind::Arrival(_) => vec![(own, Role::Arrives, self.time, None)],
             Kind::Finish(finish) => vec![
                 (own, Role::Stops, self.time, None),
                 (other, Role::Closes, self.time + finish.beside, None),
@@ -117,8 +139,8 @@ impl Footstep {
     pub(super) fn stands(&self, time: f64) -> bool {
         match &self.kind {
             Kind::Stride { .. } => on_ground(self.part(time)),
-            Kind::Begin(_) => time < self.end(),
-            Kind::Finish(_) => time > self.time,
+            Kind::Begin(_) | Kind::Launch(_) => time < self.end(),
+            Kind::Finish(_) | Kind::Arrival(_) => time > self.time,
         }
     }
 
@@ -141,6 +163,8 @@ impl Footstep {
                 priors
             }
             Kind::Begin(begin) => begin.priors(),
+            Kind::Launch(launch) => launch.priors(),
+            Kind::Arrival(arrival) => arrival.priors(),
             Kind::Finish(finish) => finish.priors(),
         }
     }
@@ -148,6 +172,8 @@ impl Footstep {
     pub(super) fn basis(&self, time: f64) -> Basis {
         match &self.kind {
             Kind::Begin(begin) => begin.basis(time),
+            Kind::Launch(launch) => launch.basis(time),
+            Kind::Arrival(arrival) => arrival.basis(time),
             Kind::Finish(finish) => finish.basis(time - self.time),
             Kind::Stride { laws, share, half_wave, .. } => {
                 let part = self.part(time);

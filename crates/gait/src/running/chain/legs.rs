@@ -1,6 +1,7 @@
 //! One leg over a chain of steps: its stances, and the swings between them.
 
 use super::footstep::{Footstep, Role};
+use super::seam::Seam;
 use super::step_forces::StepForces;
 use crate::body::Body;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -24,6 +25,8 @@ const KNEE_LANDS: f64 = 10.0 * DEGREE;
 const ANKLE_LEAVES: f64 = -7.0 * DEGREE;
 const BENT: (f64, f64) = (0.8, 1.0);
 const FLEXED: (f64, f64) = (0.5, 0.2);
+/// Over how much pitch a foot comes to be flat or begins to rise where the knee's law would press it through the ground.
+const SOFT: f64 = 0.4 * DEGREE;
 /// Flexion of a standing knee.
 const KNEE_STANDING: f64 = 6.0 * DEGREE;
 /// The foot's pitch at toe-off from which on the body is lowered.
@@ -45,12 +48,29 @@ struct Foothold {
     /// Of a left foot.
     print: Vector3<f64>,
     jets: Jets,
+    /// As what it stands on in a walk.
+    then: Option<Continued>,
+}
+
+/// A stance that a walk goes on with, from when on, with its own clock and print.
+#[derive(Clone, Debug)]
+struct Continued {
+    from: f64,
+    landed: f64,
+    stride_time: f64,
+    stance: Stance,
+    print: Vector3<f64>,
 }
 
 impl Foothold {
-    /// Its own clock.
-    fn clock(&self, time: f64) -> f64 {
-        (time - self.time) / self.stride_time
+    /// What it stands as at a time, the clock there, and the hip in the print's frame.
+    fn at(&self, time: f64, hip: &Vector3<f64>) -> (&Stance, f64, Vector3<f64>) {
+        match &self.then {
+            Some(then) if time > then.from => {
+                (&then.stance, (time - then.landed) / then.stride_time, hip - then.print)
+            }
+            _ => (&self.stance, (time - self.time) / self.stride_time, hip - self.print),
+        }
     }
 }
 
@@ -85,6 +105,7 @@ impl Leg {
         side: usize,
         steps: &[Footstep],
         forces: &[StepForces],
+        seams: [Option<&Seam>; 2],
         hip: &dyn Fn(f64) -> Vector3<f64>,
         (start, step, nodes): (f64, f64, usize),
     ) -> Result<(Self, Vec<(usize, f64)>), ProfileError> {
@@ -139,6 +160,13 @@ impl Leg {
                     }
                     _ => {}
                 }
+                let then = seams[1].filter(|_| role == Role::Arrives).map(|seam| Continued {
+                    from: time + shape.footing.flat * stride_time,
+                    landed: seam.landed,
+                    stride_time: seam.stride_time,
+                    print: print + stance.flat_ankle() - seam.stance.flat_ankle(),
+                    stance: seam.stance.clone(),
+                });
                 let parts = [shape.footing.flat, shape.push.heel_off, shape.push.tip_roll_at];
                 stances.push(Foothold {
                     step: k,
@@ -150,40 +178,13 @@ impl Leg {
                     parts,
                     print,
                     jets,
+                    then,
                 });
             }
         }
-        let mut swings = Vec::new();
-        for i in 0..=stances.len() {
-            // Before the first stance it swings as if there had been one like it, after the last one as if there came another.
-            let (from, to) = (i.saturating_sub(1), i.min(stances.len() - 1));
-            let (before, after) = (&stances[from], &stances[to]);
-            let begin = if i == 0 { after.toe_off.map(|t| t - after.stride_time) } else { before.toe_off };
-            let end = if i == stances.len() { before.time + before.stride_time } else { after.time };
-            let Some(begin) = begin.filter(|_| i > 0 || after.lands) else { continue };
-            let (first, last) = (&steps[before.step].style, &steps[after.step].style);
-            let duty = first.duty;
-            let stride_time = (end - begin) / (1.0 - duty);
-            let mut style = RunStyle { duty, ..first.mixed(last, 0.5) };
-            let clock = |time: f64| duty + (time - begin) / stride_time;
-            let times =
-                (0..nodes).map(|i| start + step * i as f64).filter(|&time| time > begin && time < end);
-            let begin_jet = rescaled(&before.jets.lifting, stride_time / before.stride_time);
-            let end_jet = rescaled(&after.jets.landing, stride_time / after.stride_time);
-            if !before.lands || after.toe_off.is_none() {
-                // From standing and to it the foot leaves less steeply, and lands under a body that is lower.
-                let bent = end_jet.knee.position - KNEE_LANDS;
-                style.knee_76 += BENT.0 * bent;
-                style.knee_93 += BENT.1 * bent;
-                let ankle = begin_jet.knee.position - begin_jet.thigh.position - begin_jet.pitch.position;
-                style.ankle_20 += FLEXED.0 * (ankle - ANKLE_LEAVES);
-                style.ankle_45 += FLEXED.1 * (ankle - ANKLE_LEAVES);
-            }
-            let mut swing = style.swing(&begin_jet, &end_jet)?;
-            let heights: Vec<(f64, f64)> = times.map(|time| (clock(time), hip(time).y)).collect();
-            swing.clear_ground(leg, &style.ground_clearance(), &heights);
-            swings.push(Swung { swing, from: begin, until: end, toe_off: duty, stride_time });
-        }
+        // The foot that swings at the seam with a walk comes from there, or goes there.
+        let seams = seams.map(|seam| seam.filter(|seam| seam.side != side));
+        let swings = swings(leg, &stances, steps, seams, hip, (start, step, nodes))?;
         Ok((Self { stances, swings }, needs))
     }
 
@@ -208,12 +209,18 @@ impl Leg {
 
     /// Moves its prints back along z (m).
     pub(super) fn back(&mut self, by: f64) {
-        self.stances.iter_mut().for_each(|hold| hold.print.z -= by);
+        for hold in &mut self.stances {
+            hold.print.z -= by;
+            hold.then.iter_mut().for_each(|then| then.print.z -= by);
+        }
     }
 
     /// By how much it is too short (m) for its foot on the ground.
     pub(super) fn short(&self, time: f64, hip: &Vector3<f64>) -> f64 {
-        self.standing(time).map_or(0.0, |hold| hold.stance.short(hold.clock(time), &(hip - hold.print)))
+        self.standing(time).map_or(0.0, |hold| {
+            let (stance, clock, hip) = hold.at(time, hip);
+            stance.short(clock, &hip)
+        })
     }
 
     /// Where its foot stands at a time.
@@ -227,12 +234,74 @@ impl Leg {
     /// The pose at a time (s), for the hip as that of a left leg.
     pub(super) fn pose(&self, leg: &LegGeometry, time: f64, hip: &Vector3<f64>) -> LegPose {
         if let Some(hold) = self.standing(time) {
-            return hold.stance.pose(hold.clock(time), &(hip - hold.print));
+            let (stance, clock, hip) = hold.at(time, hip);
+            return stance.pose(clock, &hip);
         }
         let at = self.swings.partition_point(|swung| swung.until < time).min(self.swings.len() - 1);
         let Swung { swing, from, toe_off, stride_time, .. } = &self.swings[at];
         swing.pose(leg, toe_off + (time - from) / stride_time)
     }
+}
+
+/// The swings between the stances, before the first one and after the last one.
+fn swings(
+    leg: &LegGeometry,
+    stances: &[Foothold],
+    steps: &[Footstep],
+    [comes, goes]: [Option<&Seam>; 2],
+    hip: &dyn Fn(f64) -> Vector3<f64>,
+    (start, step, nodes): (f64, f64, usize),
+) -> Result<Vec<Swung>, ProfileError> {
+    let mut swings = Vec::new();
+    for i in 0..=stances.len() {
+        // Before the first stance it swings as if there had been one like it, after the last one as if there came another.
+        let (from, to) = (i.saturating_sub(1), i.min(stances.len() - 1));
+        let (before, after) = (&stances[from], &stances[to]);
+        let (comes, goes) = (comes.filter(|_| i == 0), goes.filter(|_| i == stances.len()));
+        let begin = match comes {
+            Some(seam) => Some(seam.at),
+            None if i == 0 => after.toe_off.map(|t| t - after.stride_time),
+            None => before.toe_off,
+        };
+        let end = match goes {
+            Some(seam) => seam.at,
+            None if i == stances.len() => before.time + before.stride_time,
+            None => after.time,
+        };
+        let Some(begin) = begin.filter(|_| i > 0 || after.lands) else { continue };
+        let (first, last) = (&steps[before.step].style, &steps[after.step].style);
+        let duty = first.duty;
+        let stride_time = (end - begin) / (1.0 - duty);
+        let mut style = RunStyle { duty, ..first.mixed(last, 0.5) };
+        let clock = |time: f64| duty + (time - begin) / stride_time;
+        let times = (0..nodes).map(|i| start + step * i as f64).filter(|&time| time > begin && time < end);
+        let begin_jet = match comes {
+            Some(seam) => rescaled(&seam.swinging(), stride_time),
+            None => rescaled(&before.jets.lifting, stride_time / before.stride_time),
+        };
+        let end_jet = match goes {
+            Some(seam) => rescaled(&seam.swinging(), stride_time),
+            None => rescaled(&after.jets.landing, stride_time / after.stride_time),
+        };
+        if comes.is_none() && goes.is_none() && (!before.lands || after.toe_off.is_none()) {
+            // From standing and to it the foot leaves less steeply, and lands under a body that is lower.
+            let bent = end_jet.knee.position - KNEE_LANDS;
+            style.knee_76 += BENT.0 * bent;
+            style.knee_93 += BENT.1 * bent;
+            let ankle = begin_jet.knee.position - begin_jet.thigh.position - begin_jet.pitch.position;
+            style.ankle_20 += FLEXED.0 * (ankle - ANKLE_LEAVES);
+            style.ankle_45 += FLEXED.1 * (ankle - ANKLE_LEAVES);
+        }
+        let mut swing = match (comes, goes) {
+            (Some(_), _) => style.swing_on(&begin_jet, &end_jet)?,
+            (None, Some(_)) => style.swing_into(&begin_jet, &end_jet)?,
+            (None, None) => style.swing(&begin_jet, &end_jet)?,
+        };
+        let heights: Vec<(f64, f64)> = times.map(|time| (clock(time), hip(time).y)).collect();
+        swing.clear_ground(leg, &style.ground_clearance(), &heights);
+        swings.push(Swung { swing, from: begin, until: end, toe_off: duty, stride_time });
+    }
+    Ok(swings)
 }
 
 /// How a foot lands and leaves.
@@ -247,7 +316,8 @@ struct Shape {
 impl Shape {
     /// `toe_off` is by the foot's clock.
     fn of(role: Role, style: &RunStyle, toe_off: Option<f64>) -> Self {
-        let (footing, push) = (Footing { width: 0.0, ..style.footing() }, style.push());
+        let footing = Footing { width: 0.0, ..style.footing() };
+        let push = Push { softness: SOFT, ..style.push() };
         let running = Self {
             footing,
             landing: Landing::Heel,
@@ -270,7 +340,7 @@ impl Shape {
             };
         let standing = Footing { flat: 0.0, toe_off: end, ..footing };
         match role {
-            Role::Runs | Role::Stops => running,
+            Role::Runs | Role::Stops | Role::Arrives => running,
             Role::LeavesFirst => Self {
                 footing: standing,
                 landing: Landing::Flat,
@@ -280,6 +350,18 @@ impl Shape {
                     None,
                     0.07,
                     4.0 * DEGREE,
+                ),
+                ..running
+            },
+            Role::Launches => Self {
+                footing: standing,
+                landing: Landing::Flat,
+                push: leaving(
+                    Boundary::new(26.0 * DEGREE, 150.0 * DEGREE, push.knee_toe_off.acceleration),
+                    0.28,
+                    Some((0.09, 14.0 * DEGREE)),
+                    0.10,
+                    push.toe_roll,
                 ),
                 ..running
             },

@@ -1,13 +1,20 @@
 //! When which foot touches in a chain of steps, and in which style.
 
+use super::bound::Bound;
 use super::carry::Stands;
 use super::footstep::Footstep;
+use super::seam::{LEAD, Seam};
 use super::stood::{Begin, Finish};
-use crate::request::{RunEnd, RunResolution};
+use crate::body::Body;
+use crate::body::posture::{ArmCarriage, Posture};
+use crate::body::rotations::Euler;
+use crate::request::RunResolution;
 use crate::running::style::RunStyle;
+use crate::running::trunk;
 use solaris_profiles::spline::NaturalSpline;
 use solaris_profiles::{ProfileError, step};
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// Steps at an unchanging speed that are planned before and after those that are shown, and that nobody sees: at their ends nothing is known
 /// of what was before and comes after.
@@ -25,8 +32,20 @@ const FIRST_RATE: f64 = 0.4;
 const LEAN: f64 = 8.0 * std::f64::consts::PI / 180.0;
 /// How far the first prints after standing may lie beside the line (m).
 const ASIDE: [f64; 2] = [0.02, 0.01];
+/// Parts of a flight that the one out of a walk and the one into a walk last.
+const LAUNCHED: f64 = 0.5;
+const ARRIVES: f64 = 0.3;
 /// By how much the knee is more bent at the first contact after standing.
 const FIRST_KNEE: f64 = 15.0 * std::f64::consts::PI / 180.0;
+/// How long trunk and arms take from a walk's to a run's (s).
+const GOING_OVER: f64 = 0.5;
+
+/// Trunk and arms at an instant, for the thorax that the angular momentum asks for.
+pub(super) struct Upper {
+    pub(super) trunk: [Euler; 5],
+    pub(super) arms: [[f64; 2]; 2],
+    pub(super) carriage: ArmCarriage,
+}
 
 /// The steps of a chain.
 #[derive(Clone, Debug)]
@@ -41,6 +60,8 @@ pub(in crate::running) struct Schedule {
     pub(super) shown_steps: RangeInclusive<usize>,
     pub(super) shown: (f64, f64),
     pub(super) stands: Stands,
+    /// With walks before and after it.
+    pub(super) seams: [Option<Arc<Seam>>; 2],
     /// Between which times trunk and arms come to move, and come to rest.
     moves: [Option<(f64, f64)>; 2],
     /// Clock of trunk and arms: whole at left contacts.
@@ -51,44 +72,37 @@ impl Schedule {
     /// Of steps at these speeds (m/s), of which the left foot's comes first or the right one's. Where it begins in standing the other foot
     /// pushes off before the first of them, where it ends there one more step is made to stop.
     pub(in crate::running) fn new(
-        height: f64,
+        body: &Body,
         speeds: &[f64],
-        (from, to): (RunEnd, RunEnd),
+        (from, to): (&Bound, &Bound),
         left_first: bool,
         resolution: RunResolution,
     ) -> Result<Self, ProfileError> {
-        let stands = Stands { first: from == RunEnd::Standing, last: to == RunEnd::Standing };
-        let unseen = |stands: bool| if stands { 0 } else { UNSEEN };
-        let (lead, tail) = (unseen(stands.first), unseen(stands.last));
+        let stands = Stands { first: matches!(from, Bound::Standing), last: matches!(to, Bound::Standing) };
+        let unseen = |bound: &Bound| if matches!(bound, Bound::Running) { UNSEEN } else { 0 };
+        let (lead, tail) = (unseen(from), unseen(to));
         let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
         // The step with which it ends in full run is one more.
-        let tail = if stands.last { 0 } else { 1 + tail };
+        let tail = if matches!(to, Bound::Running) { 1 + tail } else { 0 };
         let run = [&vec![first; lead][..], speeds, &vec![last; tail][..]].concat();
-        let mut styles: Vec<RunStyle> = run.iter().map(|&speed| RunStyle::of(height, speed)).collect();
-        if stands.first {
-            // The body is slow and low: the foot comes down under it, nearly flat, and the knee yields as much more slowly.
-            let first = &mut styles[0];
-            first.knee_contact += FIRST_KNEE;
-            first.heel_strike_angle *= FIRST_STRIKE;
-            first.knee_contact_rate *= FIRST_RATE;
-            first.knee_contact_acc *= FIRST_RATE * FIRST_RATE;
-        }
-        if stands.last {
-            // Braking, it leaves the foot less far behind.
-            let last = styles.len() - 1;
-            styles[last].knee_toe_off += LAST_KNEE.1;
-            styles[last].knee_push += LAST_KNEE.0;
-        }
+        let styles = styles(body.height, &run, from, to);
+        let walks_on = matches!(to, Bound::Walking(_));
         let n = styles.len();
-        let begin = Begin::new(height);
+        let begin = Begin::new(body.height);
         // Contacts are at nodes: the foot's acceleration jumps there.
         let step = styles[0].stride_time / resolution.nodes as f64;
         let at_node = |time: f64| (time / step).round() * step;
-        let mut time = if stands.first { at_node(begin.last + 0.6 * styles[0].flight_time()) } else { 0.0 };
-        let mut times = Vec::new();
-        for style in &styles {
-            times.push(time);
-            time = at_node(time + 0.5 * style.stride_time);
+        let launch = from.launch(body, step)?;
+        let first = match &launch {
+            Some(launch) => launch.last + LAUNCHED * styles[0].flight_time(),
+            None if stands.first => begin.last + 0.6 * styles[0].flight_time(),
+            None => 0.0,
+        };
+        let mut times = vec![at_node(first)];
+        for (k, style) in styles.iter().enumerate() {
+            // The flight into a walk is short.
+            let flight = if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * style.flight_time();
+            times.push(at_node(times[k] + style.contact_time() + flight));
         }
         let side = |k: usize| usize::from((k % 2 == lead % 2) != left_first);
         let flight = |k: usize| styles[k].flight_time();
@@ -97,34 +111,64 @@ impl Schedule {
             steps.push(Footstep::begin(1 - side(0), &styles[0], begin.clone()));
             means.push(PUSHED);
         }
+        let seam = launch.as_ref().map(|launch| Arc::clone(&launch.seam));
+        if let Some(launch) = launch {
+            let (_, rate) = launch.seam.com(launch.seam.at);
+            means.push(0.5 * (rate.z + run[0]));
+            steps.push(Footstep::launch(&styles[0], launch));
+        }
         for k in 0..n {
-            let around = styles[k].contact_time() + 0.5 * (flight(k) + flight(k.saturating_sub(1)));
-            let beside = if stands.first { ASIDE.get(k).copied().unwrap_or(0.0) } else { 0.0 };
+            let after = if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * flight(k);
+            let around = styles[k].contact_time() + 0.5 * (after + flight(k.saturating_sub(1)));
+            let near = |k: usize| ASIDE.get(k).copied().unwrap_or(0.0);
+            let beside = if stands.first || seam.is_some() { near(k) } else { 0.0 };
+            let beside = if walks_on { beside.max(near(n - 1 - k)) } else { beside };
             steps.push(Footstep::running(side(k), times[k], &styles[k], around, beside, resolution.nodes)?);
             means.push(0.5 * (run[k] + run[(k + 1).min(n - 1)]));
         }
-        if stands.last {
-            steps.push(Footstep::finish(side(n), time, &styles[n - 1], Finish::new(height)));
-            means.push(0.0);
+        let begun = stands.first || seam.is_some();
+        let mut seams = [seam, None];
+        let mut last_shown = steps.len();
+        match to {
+            Bound::Running => last_shown = lead + speeds.len() + usize::from(begun),
+            Bound::Standing => {
+                steps.push(Footstep::finish(side(n), times[n], &styles[n - 1], Finish::new(body.height)));
+            }
+            Bound::Walking(walked) => {
+                let arrival = walked.arrival(body, times[n], step)?;
+                seams[1] = Some(Arc::clone(&arrival.seam));
+                means[last_shown - 1] = walked.speed();
+                steps.push(Footstep::arrival(&styles[n - 1], arrival));
+            }
         }
-        let shown_steps = if stands.first { 0 } else { lead }..=if stands.last {
-            steps.len() - 1
-        } else {
-            lead + speeds.len()
-        };
+        // Where it comes to rest, or to walk.
+        means.resize(steps.len(), 0.0);
+        let shown_steps = if begun { 0 } else { lead }..=last_shown;
         let margin = 0.5 * flight(0).min(flight(n - 1));
-        let start = if stands.first { 0.0 } else { -margin };
-        let end = steps[steps.len() - 1].end() + if stands.last { 0.0 } else { margin };
+        let start = if begun { 0.0 } else { -margin };
+        let beyond = match to {
+            Bound::Running => margin,
+            Bound::Standing => 0.0,
+            Bound::Walking(_) => LEAD as f64 * step,
+        };
+        let end = steps[steps.len() - 1].end() + beyond;
         let shown = (
-            if stands.first { 0.0 } else { times[lead] },
-            if stands.last { end } else { times[lead + speeds.len()] },
+            match &seams[0] {
+                Some(seam) => seam.at,
+                None if stands.first => 0.0,
+                None => times[lead],
+            },
+            match &seams[1] {
+                Some(seam) => seam.at,
+                None if stands.last => end,
+                None => times[lead + speeds.len()],
+            },
         );
         let phase = 0.5 * (lead % 2) as f64 + if left_first { 0.0 } else { 0.5 };
         let clocks: Vec<f64> = (0..=n).map(|k| phase + 0.5 * k as f64).collect();
-        times.push(time);
         let moves = [
-            if stands.first { Some((begin.still, times[0])) } else { None },
-            if stands.last { Some((time, time + MOVING_ON)) } else { None },
+            stands.first.then_some((begin.still, times[0])),
+            stands.last.then_some((times[n], times[n] + MOVING_ON)),
         ];
         Ok(Self {
             steps,
@@ -134,6 +178,7 @@ impl Schedule {
             shown_steps,
             shown,
             stands,
+            seams,
             moves,
             clock: NaturalSpline::new(&times, &clocks)?,
         })
@@ -145,19 +190,63 @@ impl Schedule {
         let count = self.steps.len();
         let mut flights: Vec<f64> =
             (0..count).map(|k| self.speeds[k] + lost[k] / (0.5 * self.steps[k].style.stride_time)).collect();
-        if self.stands.first {
+        if self.stands.first || self.seams[0].is_some() {
             flights[0] = self.speeds[0];
         }
         if self.stands.last {
             flights[count - 1] = 0.0;
         }
-        let speed = if self.stands.first { 0.0 } else { flights[0] };
+        let speed = match self.seams[0] {
+            // By how much the first one does is left to who knows what carries the body out of the walk.
+            Some(_) => 0.0,
+            None if self.stands.first => 0.0,
+            None => flights[0],
+        };
         let before = |k: usize| k.checked_sub(1).map_or(speed, |before| flights[before]);
         (speed, (0..count).map(|k| flights[k] - before(k)).collect())
     }
 
+    /// The walk's posture at a time where trunk and arms are still its own in part, and which part is the run's.
+    pub(super) fn walks(&self, time: f64) -> Option<(Posture, f64)> {
+        let [before, after] = &self.seams;
+        let gone = |seam: &Arc<Seam>| step::quintic((time - seam.at) / GOING_OVER).position;
+        let left = |seam: &Arc<Seam>| step::quintic((seam.at - time) / GOING_OVER).position;
+        let near = |seam: &Arc<Seam>, part: f64| (part < 1.0).then(|| (seam.posture(time), part));
+        let begun = before.as_ref().and_then(|seam| near(seam, gone(seam)));
+        begun.or_else(|| after.as_ref().and_then(|seam| near(seam, left(seam))))
+    }
+
+    /// What the thorax is drawn to.
+    pub(super) fn drawn(&self, time: f64, walks: Option<&(Posture, f64)>) -> Euler {
+        let (style, u) = self.trunk(time);
+        let run = trunk::thorax(&style, u);
+        walks.map_or(run, |(posture, part)| mixed(posture.trunk[2], run, *part))
+    }
+
+    /// Trunk and arms at a time, for the thorax that the angular momentum asks for.
+    pub(super) fn upper(&self, time: f64, thorax: Euler, walks: Option<&(Posture, f64)>) -> Upper {
+        let (style, u) = self.trunk(time);
+        let run = Upper {
+            trunk: trunk::trunk(&style, u, thorax),
+            arms: trunk::arms(&style, u),
+            carriage: trunk::carriage(&self.steps[0].style),
+        };
+        let Some((posture, part)) = walks else { return run };
+        let mut trunk: [Euler; 5] = std::array::from_fn(|i| mixed(posture.trunk[i], run.trunk[i], *part));
+        trunk[2] = thorax;
+        Upper {
+            trunk,
+            arms: std::array::from_fn(|side| {
+                std::array::from_fn(|i| {
+                    posture.arms[side][i] + (run.arms[side][i] - posture.arms[side][i]) * part
+                })
+            }),
+            carriage: posture.carriage.mixed(&run.carriage, *part),
+        }
+    }
+
     /// The style of trunk and arms at a time, and their clock.
-    pub(super) fn trunk(&self, time: f64) -> (RunStyle, f64) {
+    fn trunk(&self, time: f64) -> (RunStyle, f64) {
         let clock = self.clock.at(time).position;
         let next = self.steps.partition_point(|footstep| footstep.time <= time);
         let before = &self.steps[next.saturating_sub(1)];
@@ -178,4 +267,36 @@ impl Schedule {
         }
         (style, clock)
     }
+}
+
+/// The styles of steps at these speeds (m/s).
+fn styles(height: f64, speeds: &[f64], from: &Bound, to: &Bound) -> Vec<RunStyle> {
+    let mut styles: Vec<RunStyle> = speeds.iter().map(|&speed| RunStyle::of(height, speed)).collect();
+    if matches!(from, Bound::Standing) {
+        // The body is slow and low: the foot comes down under it, nearly flat, and the knee yields as much more slowly.
+        let first = &mut styles[0];
+        first.knee_contact += FIRST_KNEE;
+        first.heel_strike_angle *= FIRST_STRIKE;
+        first.knee_contact_rate *= FIRST_RATE;
+        first.knee_contact_acc *= FIRST_RATE * FIRST_RATE;
+    }
+    if !matches!(to, Bound::Running) {
+        // Braking, it leaves the foot less far behind.
+        let last = styles.len() - 1;
+        styles[last].knee_toe_off += LAST_KNEE.1;
+        styles[last].knee_push += LAST_KNEE.0;
+    }
+    for bound in [from, to] {
+        if let Bound::Walking(walked) = bound {
+            // All prints of a chain point the same way.
+            for style in &mut styles {
+                style.foot_yaw = walked.walk.style().foot_yaw;
+            }
+        }
+    }
+    styles
+}
+
+fn mixed(from: Euler, to: Euler, part: f64) -> Euler {
+    std::array::from_fn(|k| from[k] + (to[k] - from[k]) * part)
 }

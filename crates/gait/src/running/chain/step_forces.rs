@@ -53,7 +53,7 @@ impl StepForces {
             self.vertical(basis),
             sum(&basis.fore_aft, &self.fore_aft) + self.gain * basis.faster / G,
         );
-        (force, sign * sum(&basis.twist, &self.twist))
+        (force + basis.towards * force.y, sign * sum(&basis.twist, &self.twist) + basis.given_twist)
     }
 }
 
@@ -70,7 +70,7 @@ pub(super) fn pressures(
     basis: &Basis,
 ) -> [Vector3<f64>; 2] {
     let along = Vector3::z() * forces.along;
-    let pressed = plane.forward * (forces.pressure(basis) * foot);
+    let pressed = plane.forward * (forces.pressure(basis) * foot) + plane.left * basis.outward;
     let at = |side: usize, aside: f64| {
         let left = Vector3::x() * aside + pressed;
         along + if side == 0 { left } else { mirror(&left) }

@@ -1,27 +1,21 @@
 //! The first and the last stance of a run that begins or ends in standing: both feet are on the ground, and the laws are of both.
 
-use super::basis::{Basis, Expected, Priors, ROLLS, WAVES};
+use super::basis::{Basis, Priors, ROLLS};
+use super::moving::{Moving, Ramp, hump};
 use solaris_profiles::step;
-use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Centre of pressure of standing feet, from the heel over the foot's length.
 pub(super) const STANDING_PRESSURE: f64 = 0.365;
 /// Distance of a standing foot's heel from the middle (m, at a height of 1.75 m).
 const BESIDE: f64 = 0.04;
 
-/// Part of the moving time over which horizontal forces come and go.
-const RAMP: f64 = 0.10;
+/// How horizontal forces come and go.
+const RAMP: Ramp = Ramp { parts: [0.10; 2], soft: false };
 /// Middles and half widths of what lifts, rolls and shifts do, in parts of the moving time.
 const BEGIN_LIFTS: [(f64, f64); 2] = [(0.66, 0.20), (0.82, 0.18)];
 const FINISH_LIFTS: [(f64, f64); 2] = [(0.09, 0.09), (0.32, 0.28)];
 const BEGIN_ROLLS: [(f64, f64); ROLLS] = [(0.25, 0.25), (0.5, 0.25), (0.75, 0.25)];
 const FINISH_ROLLS: [(f64, f64); ROLLS] = [(0.25, 0.2), (0.45, 0.25), (0.70, 0.30)];
-/// What is expected of the amplitudes: body weights, parts of the foot's length, N m.
-const WAVE_SPREAD: f64 = 0.10;
-const LATERAL_SPREAD: f64 = 0.05;
-const ROLL_SPREAD: f64 = 0.05;
-const SHIFT_SPREAD: f64 = 0.08;
-const TWIST_SPREAD: f64 = 6.0;
 const ASIDE_SPREAD: f64 = 1e-4;
 /// How long the vertical force takes to end as the foot leaves, and to come as it lands (s).
 const LEAVING: f64 = 0.10;
@@ -32,76 +26,9 @@ const SUNK: f64 = 0.03;
 const LOWERING: f64 = 0.40;
 const RISING: f64 = 0.60;
 
-fn hump(x: f64, (at, half): (f64, f64)) -> f64 {
-    (FRAC_PI_2 * ((x - at) / half).clamp(-1.0, 1.0)).cos().powi(4)
-}
-
 /// Vertical force over the weight that makes the body sink by the knees' bend within so long (s).
 fn sinking(time: f64, within: f64) -> f64 {
     -SUNK * step::quintic(time / within).acceleration / (within * within * crate::walking::G)
-}
-
-fn ramp(x: f64) -> f64 {
-    step::cubic(x / RAMP).position * step::cubic((1.0 - x) / RAMP).position
-}
-
-fn wave(n: usize, x: f64) -> f64 {
-    (n as f64 * PI * x).sin() * ramp(x)
-}
-
-/// Laws over the moving time that both ends have.
-#[derive(Clone, Debug)]
-struct Moving {
-    /// How long it lasts (s).
-    lasts: f64,
-    /// What the fore-aft waves have of the half wave so that their impulse is nothing, and the impulse of the law that makes faster.
-    even: [f64; WAVES],
-    faster: f64,
-    /// Whether its weight is late, as in a beginning.
-    late: bool,
-}
-
-const SUMMED: u32 = 1000;
-
-impl Moving {
-    fn new(lasts: f64, late: bool) -> Self {
-        let mut moving = Self { lasts, even: [0.0; WAVES], faster: 1.0, late };
-        let mean = |of: &dyn Fn(f64) -> f64| {
-            (0..SUMMED).map(|i| of((f64::from(i) + 0.5) / f64::from(SUMMED))).sum::<f64>() / f64::from(SUMMED)
-        };
-        let half = mean(&|x| wave(1, x));
-        let even = std::array::from_fn(|n| mean(&|x| wave(n + 2, x)) / half);
-        let faster = mean(&|x| moving.getting_faster(x)) * lasts;
-        (moving.even, moving.faster) = (even, faster);
-        moving
-    }
-
-    fn getting_faster(&self, x: f64) -> f64 {
-        wave(1, x) * if self.late { x * x } else { 1.0 - x }
-    }
-
-    fn horizontal(&self, time: f64, basis: &mut Basis) {
-        let x = time / self.lasts;
-        if x <= 0.0 || x >= 1.0 {
-            return;
-        }
-        basis.faster = self.getting_faster(x) / self.faster;
-        basis.fore_aft = std::array::from_fn(|n| wave(n + 2, x) - self.even[n] * wave(1, x));
-        basis.lateral = std::array::from_fn(|n| -wave(n + 1, x));
-        basis.twist = [wave(1, x), wave(2, x)];
-    }
-
-    fn priors(lifts: [Expected; 2], aside: Expected) -> Priors {
-        Priors {
-            lifts,
-            fore_aft: [(0.0, WAVE_SPREAD); WAVES],
-            lateral: [(0.0, LATERAL_SPREAD); WAVES],
-            twist: [(0.0, TWIST_SPREAD); 2],
-            rolls: [(0.0, ROLL_SPREAD); ROLLS],
-            shift: (0.0, SHIFT_SPREAD),
-            aside,
-        }
-    }
 }
 
 /// Standing, leaning forward, and the push of the foot that leaves last.
@@ -121,7 +48,7 @@ impl Begin {
         let time = (height / 1.75).sqrt();
         let (still, unloading, first, last) = (0.15 * time, 0.50 * time, 0.90 * time, 1.30 * time);
         Self {
-            moving: Moving::new(last - still, true),
+            moving: Moving::new(last - still, true, RAMP),
             still,
             unloading,
             first,
@@ -170,7 +97,7 @@ impl Finish {
         let time = (height / 1.75).sqrt();
         let (beside, moving) = (0.42 * time, 1.2 * time);
         let aside = BESIDE * height / 1.75;
-        Self { moving: Moving::new(moving, false), beside, rest: moving + 0.2 * time, aside }
+        Self { moving: Moving::new(moving, false, RAMP), beside, rest: moving + 0.2 * time, aside }
     }
 
     pub(super) fn priors(&self) -> Priors {

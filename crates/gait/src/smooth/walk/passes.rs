@@ -57,10 +57,15 @@ impl Passes {
     pub(super) fn new(body: Body, laws: WalkLaws, timeline: Timeline) -> Self {
         let count = timeline.grid.count;
         let clocks = timeline.clocks();
-        let upper = UpperBody::new(&body, &timeline.grid, laws.style(0).manner.carriage(), |i| {
-            let (trunk, arms) = laws.angles(clocks[i]);
-            (trunk, arms, laws.course.heading(clocks[i]))
-        });
+        let upper = UpperBody::new(
+            &body,
+            &timeline.grid,
+            |_| laws.style(0).manner.carriage(),
+            |i| {
+                let (trunk, arms) = laws.angles(clocks[i]);
+                (trunk, arms, laws.course.heading(clocks[i]))
+            },
+        );
         let hips =
             [0, 1].map(|side| (0..count).map(|i| upper.pelvis(i) * body.legs[side][0].offset).collect());
         let heights = timeline.with_neighbours(|u| laws.height(u));

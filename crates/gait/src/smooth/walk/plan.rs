@@ -10,11 +10,12 @@ use super::steps::{self, Steps};
 use super::tempo::Tempo;
 use super::timeline::Timeline;
 use crate::body::Body;
-use crate::body::foot::{mirror, turned};
+use crate::body::foot::{FootPlane, mirror, turned};
 use crate::body::leg::LegPose;
 use crate::body::posture::Posture;
 use crate::body::rotations::{self, Euler};
 use crate::error::{GaitError, RequestError};
+use crate::limbs::stance::Stance;
 use crate::request::{Resolution, check_turned};
 use crate::smooth::prescribed::PrescribedNode;
 use crate::smooth::stride::StridePlan;
@@ -185,6 +186,37 @@ impl WalkPlan {
         let far = landed[landed.len() - 1];
         let prints = landed.iter().rev().map(|print| far - print).chain([far]).collect();
         Self { backward: !self.backward, from, prints, ..self }
+    }
+
+    /// The left foot's plane against the way the foot points.
+    pub(crate) fn plane(&self) -> FootPlane {
+        self.laws.plane
+    }
+
+    /// When the heel of step `step` rises (s).
+    pub(crate) fn heel_rises(&self, step: usize) -> f64 {
+        self.forward_time(0.5 * step as f64 + self.stance(step).heel_off())
+    }
+
+    /// How a foot stands in step `step`, in its print's frame.
+    pub(crate) fn stance(&self, step: usize) -> &Stance {
+        let side = step % 2;
+        let episode = self.whole.episode(side, self.whole.episode_at(side, 0.5 * step as f64 + 0.01));
+        &self.feet[side].stances[self.planned_print(&episode)]
+    }
+
+    /// When step `step` lands (s).
+    pub(crate) fn lands(&self, step: usize) -> f64 {
+        self.forward_time(0.5 * step as f64)
+    }
+
+    pub(crate) fn left_first(&self) -> bool {
+        self.left_first
+    }
+
+    /// When step `step` has the other foot off the ground (s).
+    pub(crate) fn stands_alone(&self, step: usize) -> f64 {
+        self.forward_time(0.5 * step as f64 + self.laws.style(step).double_support)
     }
 
     /// Whether it goes backward.
@@ -380,7 +412,8 @@ impl WalkPlan {
         self.posture(clock).write(&self.body, &self.laws.plane, q);
     }
 
-    fn posture(&self, clock: f64) -> Posture {
+    /// The posture at a clock.
+    pub(crate) fn posture(&self, clock: f64) -> Posture {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
         let (trunk, arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));

@@ -32,7 +32,7 @@ impl WalkPlan {
     }
 
     /// The number among its foot's prints that a print of the whole walk has in the one that was planned.
-    fn planned_print(&self, episode: &Episode) -> usize {
+    pub(super) fn planned_print(&self, episode: &Episode) -> usize {
         // A little after the contact, where rounding does not decide which print it is.
         self.laws.course.episode_at(episode.side, self.repeat.fold(episode.contact + 0.01).0)
     }

@@ -33,7 +33,7 @@ impl Standing {
         let leg = &body.leg;
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
-        let upper = UpperBody::new(body, &grid, style.manner.carriage(), |_| (trunk, arms, 0.0));
+        let upper = UpperBody::new(body, &grid, |_| style.manner.carriage(), |_| (trunk, arms, 0.0));
         // The right side as its mirror image.
         let seen = |side: usize, v: &Vector3<f64>| if side == 0 { *v } else { mirror(v) };
         let turn = rotations::matrix(trunk[0]);

@@ -3,6 +3,7 @@
 use super::{Before, EXACT, Laws};
 use crate::running::chain::basis::Expected;
 use crate::running::chain::fit::Fit;
+use crate::running::chain::seam::{LEAD, MET};
 use crate::running::forces::TRUNK_SPREAD;
 
 /// Every how many nodes the trunk is looked at.
@@ -73,6 +74,23 @@ impl Laws<'_> {
             fit.expect(unknowns, 0.0, EXACT);
             fit.expect(unknowns + 1, 0.0, EXACT);
         }
+        let rate_at = |node: usize| {
+            let rate = |response: &Response| self.grid.first(node, |i| response.at(i, self.step));
+            let mut row: Vec<f64> = responses.iter().map(rate).collect();
+            row.extend([0.0, 1.0]);
+            row
+        };
+        if let Some((met, ..)) = self.met(1) {
+            fit.exactly(&row(met), -base_turn[met]);
+            fit.exactly(&rate_at(met), momentum[met] - rates[met]);
+        }
+        if self.seams[0].is_some() {
+            // As the walk has it.
+            fit.expect(unknowns, 0.0, 1.0);
+            fit.expect(unknowns + 1, 0.0, 10.0);
+            fit.exactly(&row(MET), -base_turn[MET]);
+            fit.exactly(&rate_at(MET), momentum[MET] - rates[MET]);
+        }
         for (row, value) in rows {
             let row = [row, &[0.0, 0.0][..]].concat();
             fit.exactly(&row, *value);
@@ -90,9 +108,11 @@ impl Laws<'_> {
         let turn = before.map(|_| {
             let rates = self.open.integral(&rate.iter().map(|m| m / inertia).collect::<Vec<f64>>());
             let turned = self.open.integral(&rates);
-            (0..nodes)
-                .map(|i| turned[i] - bodily[i] + found[unknowns] + found[unknowns + 1] * self.time(i))
-                .collect()
+            let [before, after] = self.seams.map(|seam| if seam.is_some() { LEAD } else { 0 });
+            let own = before..nodes - after;
+            let turn =
+                |i: usize| turned[i] - bodily[i] + found[unknowns] + found[unknowns + 1] * self.time(i);
+            (0..nodes).map(|i| if own.contains(&i) { turn(i) } else { 0.0 }).collect()
         });
         Some(Fitted { amplitudes: found[..unknowns].to_vec(), rate, turn })
     }
