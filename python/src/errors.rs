@@ -212,7 +212,10 @@ fn set_range(fields: &Bound<'_, PyDict>, range: Option<Range>) -> PyResult<()> {
 /// A walk that cannot be: of a number out of its range, which and in which.
 pub(crate) fn gait(error: GaitError) -> PyErr {
     let mut cause = &error;
-    while let GaitError::InSegment { why, .. } | GaitError::InPart { why, .. } = cause {
+    while let GaitError::InSegment { why, .. }
+    | GaitError::InPart { why, .. }
+    | GaitError::BesideRun { why } = cause
+    {
         cause = why;
     }
     // Angles of arguments are in rad; numbers of the style are in their own units.

@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 use serde_json::Value;
 use solaris::gait::people::{PACES, curves};
 use solaris::gait::{
-    GaitError, GaitKind, GaitOptions, MANNERS, PARAMETERS, PartOptions, Repeats, SIDE_MANNERS, ShippedManner,
-    StairOptions, StyledPlan,
+    GaitError, GaitKind, GaitOptions, MANNERS, PARAMETERS, PartOptions, Repeats, RunWalkOptions,
+    SIDE_MANNERS, ShippedManner, StairOptions, StyledPlan,
 };
 use solaris::model::Trajectory as _;
 use std::collections::BTreeMap;
@@ -122,9 +122,16 @@ pub(crate) fn walk(
     Walk::of(py, figure, &options, (height, mass, age))
 }
 
+/// How a run begins or ends.
+#[derive(FromPyObject)]
+pub(crate) enum End<'py> {
+    How(String),
+    Walk(Bound<'py, PyDict>),
+}
+
 /// Plans a run of 2.2 to 6 m/s, with its forces.
 ///
-/// `start` and `end` are `"running"` or `"standing"`; `then` is a list of dictionaries with the keys `steps` and `speed`. The rest is as
+/// `start` and `end` are `"running"` (the default), `"standing"`, `"walking"`, or a dictionary with the walk's `steps` and `speed`; `then` is a list of dictionaries with the keys `steps` and `speed`. The rest is as
 /// for `walk`.
 ///
 /// >>> import solaris
@@ -132,10 +139,13 @@ pub(crate) fn walk(
 /// >>> flights = [event for event in run.motion.events if event[1] == "lift_off"]
 /// >>> len(flights) > 0
 /// True
+/// >>> walk = {"steps": 4, "speed": 1.5}
+/// >>> solaris.run_gait(speed=2.2, steps=6, start=walk, end=walk).report["steps"]
+/// 14
 #[pyfunction]
 #[pyo3(signature = (
-    figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start="running",
-    end="running", left_first=false, r#loop=None, rate=None
+    figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start=None,
+    end=None, left_first=false, r#loop=None, rate=None
 ))]
 pub(crate) fn run_gait(
     py: Python<'_>,
@@ -147,25 +157,44 @@ pub(crate) fn run_gait(
     steps: Option<i64>,
     distance: Option<f64>,
     then: Option<Vec<Bound<'_, PyDict>>>,
-    start: &str,
-    end: &str,
+    start: Option<End<'_>>,
+    end: Option<End<'_>>,
     left_first: bool,
     r#loop: Option<&str>,
     rate: Option<f64>,
 ) -> PyResult<Walk> {
-    let bound = |name: &str, given: &str| match given {
-        "running" => Ok(false),
-        "standing" => Ok(true),
-        other => Err(argument(name, format!("{name} is '{other}'; it must be 'running' or 'standing'"))),
+    let bound = |name: &str, given: Option<End<'_>>| match given {
+        None => Ok((false, None)),
+        Some(End::How(how)) => match how.as_str() {
+            "running" => Ok((false, None)),
+            "standing" => Ok((true, None)),
+            "walking" => Ok((false, Some(RunWalkOptions::default()))),
+            other => {
+                let why = format!(
+                    "{name} is '{other}'; it must be 'running', 'standing' or 'walking', or a dictionary of a walk's steps and speed"
+                );
+                Err(argument(name, why))
+            }
+        },
+        Some(End::Walk(given)) => {
+            keys(name, &given, &["steps", "speed"])?;
+            let walk =
+                RunWalkOptions { steps: counted(name, &given, "steps")?, speed: get(&given, "speed")? };
+            Ok((false, Some(walk)))
+        }
     };
+    let (from_standing, from_walking) = bound("start", start)?;
+    let (to_standing, to_walking) = bound("end", end)?;
     let options = GaitOptions {
         gait: GaitKind::Run,
         speed: Some(speed),
         steps: steps.map(|steps| count("steps", steps)).transpose()?,
         distance,
         then: then.unwrap_or_default().iter().map(part).collect::<PyResult<_>>()?,
-        from_standing: bound("start", start)?,
-        to_standing: bound("end", end)?,
+        from_standing,
+        to_standing,
+        from_walking,
+        to_walking,
         left_first: Some(left_first),
         repeats: looped(r#loop)?,
         rate,

@@ -42,7 +42,8 @@ mod thesis;
 mod walking;
 
 pub use asked::{
-    DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, Staged, StairOptions, stages,
+    DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, RunWalkOptions, Staged,
+    StairOptions, stages,
 };
 pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;

@@ -4,7 +4,7 @@ use crate::failed;
 use crate::figure::HumanOptions;
 use crate::walk::WalkOptions;
 use js_sys::{Array, Reflect};
-use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
+use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, RunWalkOptions, StairOptions};
 use solaris::model::{Human, nearest};
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsError, JsValue};
@@ -42,6 +42,8 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         left_first: fields.flag("leftFirst")?,
         from_standing: fields.flag("fromStanding")?.unwrap_or_default(),
         to_standing: fields.flag("toStanding")?.unwrap_or_default(),
+        from_walking: fields.get("fromWalking", run_walk)?,
+        to_walking: fields.get("toWalking", run_walk)?,
         repeats: fields.one_of("loop", [("moving", Repeats::Moving), ("in_place", Repeats::InPlace)])?,
         rate: fields.number("rate")?,
     };
@@ -74,6 +76,13 @@ fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
     };
     fields.end()?;
     Ok(stairs)
+}
+
+fn run_walk(at: &str, given: JsValue) -> Result<RunWalkOptions, JsError> {
+    let mut fields = Fields::new(&given, at)?;
+    let walk = RunWalkOptions { steps: fields.count("steps")?, speed: fields.number("speed")? };
+    fields.end()?;
+    Ok(walk)
 }
 
 /// A person with what hands carry and with a shorter leg.

@@ -59,6 +59,9 @@ export interface WalkOptions {
   /** Of a run. */
   fromStanding?: boolean;
   toStanding?: boolean;
+  /** The walk out of which a run comes, and the one into which it goes over. */
+  fromWalking?: { steps?: number; speed?: number };
+  toWalking?: { steps?: number; speed?: number };
   /** One stride that repeats itself. */
   loop?: 'moving' | 'in_place';
   /** Samples a second (120). */

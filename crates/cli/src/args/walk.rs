@@ -1,10 +1,12 @@
 //! The request of `solaris walk`.
 
+mod bound;
 mod everyone;
 mod film;
 mod terrain;
 mod then;
 
+pub(crate) use bound::RunBound;
 pub(crate) use everyone::EveryoneArgs;
 pub(crate) use film::FilmArgs;
 pub(crate) use terrain::TerrainArgs;
@@ -200,16 +202,17 @@ pub(crate) type Count = usize;
 pub(crate) struct MannerArgs {
     #[arg(long, value_name = "GAIT", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(&format!(
         "walk, or run: --speed is {} to {} m/s then, and as many steps as are asked for go by in full run, from a contact to a contact; \
-         --from and --to let it begin and end in standing, --then change its speed [default: walk]",
+         --from and --to let it begin and end in standing or in a walk, --then change its speed [default: walk]",
         RUN_SPEED.0, RUN_SPEED.1
     )))]
     pub(crate) gait: Gait,
-    #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
-        "Gait run: how it begins, in full run (running) or in standing; from standing it takes some steps to reach its speed [default: running]"
+    #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(
+        "Gait run: how it begins, in full run (running), in standing, or in a walk that begins in standing: walking, or such as \
+         walking,steps=6,speed=1.4; but in full run it takes some steps to reach its speed [default: running]"
     ))]
     pub(crate) from: Option<RunBound>,
-    #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
-        "Gait run: how it ends, running or standing [default: running]"
+    #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(
+        "Gait run: how it ends, running, standing, or walking as above [default: running]"
     ))]
     pub(crate) to: Option<RunBound>,
     #[arg(long, value_name = "LINK", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
@@ -263,14 +266,6 @@ pub(crate) enum Gait {
     #[default]
     Walk,
     Run,
-}
-
-/// How a run begins or ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RunBound {
-    #[default]
-    Running,
-    Standing,
 }
 
 /// Out of which link the forces are computed.

@@ -57,6 +57,9 @@ pub(crate) struct Walk {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub(crate) changes: bool,
     pub(crate) steps: usize,
+    /// How many of them are walked before and after a run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) walked_steps: Option<[usize; 2]>,
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
     /// Whether it goes backward, the first walk of several.
@@ -189,6 +192,10 @@ impl Report {
                     // Each walk of a journey closes.
                     StyledPlan::Sequence(journey) => journey.walks().map(WalkPlan::steps).sum(),
                     _ => steps,
+                },
+                walked_steps: match &plan {
+                    StyledPlan::Run(run) => Some(run.walked_steps()).filter(|walked| *walked != [0, 0]),
+                    _ => None,
                 },
                 backward: plan.smooth().is_some_and(WalkPlan::is_backward),
                 step_frequency_per_min: step_frequency,

@@ -135,11 +135,8 @@ fn thesis(args: &WalkArgs, determinants: Determinants) -> ThesisRequest {
 
 /// A run, and the speeds that come next.
 fn running(args: &WalkArgs) -> Result<Asked, CliError> {
-    let bound = |end: Option<RunBound>| match end {
-        Some(RunBound::Standing) => RunEnd::Standing,
-        Some(RunBound::Running) | None => RunEnd::Running,
-    };
-    let (from, to) = (bound(args.manner.from), bound(args.manner.to));
+    let bound = |end: &Option<RunBound>| end.as_ref().map_or(RunEnd::Running, |bound| bound.end);
+    let (from, to) = (bound(&args.manner.from), bound(&args.manner.to));
     let speed = value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED);
     let (mut parts, mut origins) = (Vec::new(), vec![None]);
     for Then { what, typed } in &args.changes.then {

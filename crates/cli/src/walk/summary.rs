@@ -38,7 +38,12 @@ pub(super) fn title(report: &Report) -> String {
         return if walk.repeats {
             format!("A stride of a run that repeats itself, of a {who} at {speed} m/s")
         } else {
-            format!("A {who} runs {} step{plural}{first} at {speed} m/s", walk.steps)
+            let [before, after] = walk.walked_steps.unwrap_or_default();
+            let counted = |steps: usize| format!("{steps} step{}", if steps == 1 { "" } else { "s" });
+            let run = counted(walk.steps - before - after);
+            let walks = if before > 0 { format!(" walks {},", counted(before)) } else { String::new() };
+            let then = if after > 0 { format!(", walks {}", counted(after)) } else { String::new() };
+            format!("A {who}{walks} runs {run}{first} at {speed} m/s{then}")
         };
     }
     if walk.repeats {

@@ -73,6 +73,10 @@ pub struct GaitOptions {
     pub from_standing: bool,
     /// Whether a run ends in standing.
     pub to_standing: bool,
+    /// A walk out of which a run comes.
+    pub from_walking: Option<RunWalkOptions>,
+    /// A walk into which a run goes over.
+    pub to_walking: Option<RunWalkOptions>,
     /// One stride that repeats itself instead of a walk.
     #[cfg_attr(feature = "serde", serde(rename = "loop"))]
     pub repeats: Option<Repeats>,
@@ -109,6 +113,8 @@ impl Default for GaitOptions {
             left_first: None,
             from_standing: false,
             to_standing: false,
+            from_walking: None,
+            to_walking: None,
             repeats: None,
             rate: None,
         }
@@ -159,6 +165,17 @@ pub struct PartOptions {
     pub turn: f64,
     /// Whether it goes backward, after standing.
     pub backward: bool,
+}
+
+/// A walk beside a run; what is left out is as usual ([`crate::RunWalk::default`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct RunWalkOptions {
+    /// How many steps.
+    pub steps: Option<usize>,
+    /// Speed (m/s).
+    pub speed: Option<f64>,
 }
 
 /// Stairs; what is left out is as usual ([`crate::Stairs::default`]).

@@ -1,11 +1,11 @@
 //! Options as a request of the planners.
 
-use super::options::{GaitKind, GaitOptions, PartOptions, StairOptions};
+use super::options::{GaitKind, GaitOptions, PartOptions, RunWalkOptions, StairOptions};
 use super::stages::{Next, Staged, stages};
 use crate::error::{GaitError, RequestError};
 use crate::request::{
-    DEFAULT_RUN_SPEED, Extent, Foothold, Population, RunEnd, RunPart, RunRequest, Stairs, StyleSheet,
-    Variability, WalkGround, WalkPart, WalkPath, WalkRequest,
+    DEFAULT_RUN_SPEED, Extent, Foothold, Population, RunEnd, RunPart, RunRequest, RunWalk, Stairs,
+    StyleSheet, Variability, WalkGround, WalkPart, WalkPath, WalkRequest,
 };
 use crate::running::least_run_steps;
 use crate::smooth::{PARAMETERS, sheet_of, side_sheet_of};
@@ -63,7 +63,12 @@ impl GaitOptions {
             let of = if is_run { "a run" } else { "a walk through key postures (determinants)" };
             return Err(RequestError::NotOf { option, of });
         }
-        let of_runs = [("from_standing", self.from_standing), ("to_standing", self.to_standing)];
+        let of_runs = [
+            ("from_standing", self.from_standing),
+            ("to_standing", self.to_standing),
+            ("from_walking", self.from_walking.is_some()),
+            ("to_walking", self.to_walking.is_some()),
+        ];
         let bound = of_runs.into_iter().find(|(_, given)| *given);
         if let Some((option, _)) = bound.filter(|_| !is_run) {
             return Err(RequestError::NotOf { option, of: "a walk, which begins and ends in standing" });
@@ -85,6 +90,10 @@ impl GaitOptions {
             ("loop", looped, "footholds", self.footholds.is_some()),
             ("loop", looped, "from_standing", self.from_standing),
             ("loop", looped, "to_standing", self.to_standing),
+            ("loop", looped, "from_walking", self.from_walking.is_some()),
+            ("loop", looped, "to_walking", self.to_walking.is_some()),
+            ("from_standing", self.from_standing, "from_walking", self.from_walking.is_some()),
+            ("to_standing", self.to_standing, "to_walking", self.to_walking.is_some()),
             ("slope", self.slope.is_some(), "stairs", self.stairs.is_some()),
             ("slope", self.slope.is_some(), "ground", self.ground.is_some()),
             ("slope", self.slope.is_some(), "footholds", self.footholds.is_some()),
@@ -111,8 +120,15 @@ impl GaitOptions {
     }
 
     fn run(&self) -> Result<RunRequest, RequestError> {
-        let bound = |standing: bool| if standing { RunEnd::Standing } else { RunEnd::Running };
-        let (from, to) = (bound(self.from_standing), bound(self.to_standing));
+        let bound = |standing: bool, walking: Option<RunWalkOptions>| match walking {
+            Some(RunWalkOptions { steps, speed }) => {
+                RunEnd::Walking(RunWalk { steps: steps.unwrap_or(RunWalk::default().steps), speed })
+            }
+            None if standing => RunEnd::Standing,
+            None => RunEnd::Running,
+        };
+        let from = bound(self.from_standing, self.from_walking);
+        let to = bound(self.to_standing, self.to_walking);
         let speed = self.speed.unwrap_or(DEFAULT_RUN_SPEED);
         let then = self.then.iter().map(|part| match *part {
             PartOptions { steps: Some(steps), speed: Some(speed), .. }

@@ -42,10 +42,9 @@ impl RunPlan {
         left_first: bool,
         walks: [Option<WalkSide>; 2],
     ) -> Self {
-        let [before, after] = &walks;
-        let walked =
-            before.as_ref().map_or(0, |walk| walk.steps() + 1) + after.as_ref().map_or(0, WalkSide::steps);
-        Self { stride, steps: steps + walked, left_first, chain: Some(Box::new(chain)), walks }
+        let mut plan = Self { stride, steps, left_first, chain: Some(Box::new(chain)), walks };
+        plan.steps += plan.walked_steps().iter().sum::<usize>();
+        plan
     }
 
     /// How long it walks before it runs (s).
@@ -75,9 +74,16 @@ impl RunPlan {
         self.stride.style()
     }
 
-    /// Number of steps.
+    /// Number of steps, those of the walks beside the run among them.
     pub fn steps(&self) -> usize {
         self.steps
+    }
+
+    /// How many of its steps are walked before it runs, and after it.
+    pub fn walked_steps(&self) -> [usize; 2] {
+        let [before, after] = &self.walks;
+        // The step that leaves the ground is the walk's.
+        [before.as_ref().map_or(0, |walk| walk.steps() + 1), after.as_ref().map_or(0, WalkSide::steps)]
     }
 
     /// Whether its steps are not all alike.

@@ -124,7 +124,8 @@ fn walked(
         left_first,
         ..WalkRequest::default()
     };
-    Ok(Walked { walk: Arc::new(walk(figure, &request)?), step })
+    let planned = walk(figure, &request).map_err(|why| GaitError::BesideRun { why: Box::new(why) })?;
+    Ok(Walked { walk: Arc::new(planned), step })
 }
 
 /// The number of steps that is asked for.

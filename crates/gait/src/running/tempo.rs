@@ -8,6 +8,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The most by which a run's speed changes from step to step, on the way and from standing or to it (m/s).
 const CHANGE: f64 = 0.25;
 const ENDS_CHANGE: f64 = 0.30;
+/// The speed (m/s) beyond which it changes by less on the way from standing or to it, and by how much.
+const FAST: f64 = 2.8;
+const FAST_CHANGE: f64 = 0.15;
 /// The speed of the first step from standing and of the last before it (m/s).
 const SLOW: f64 = 1.2;
 /// By how much the first step of a run is faster than the walk before it (m/s).
@@ -20,8 +23,22 @@ pub fn least_run_steps(speed: f64, from: RunEnd, to: RunEnd) -> usize {
 
 /// The same for the speeds of the first and of the last step, where it does not begin or end in full run.
 fn least(speed: f64, ends: [Option<f64>; 2]) -> usize {
-    let ramp = |slow: f64| ((speed - slow) / ENDS_CHANGE - 1e-9).ceil().max(0.0) as usize;
+    let ramp = |slow: f64| {
+        let ramp = (0..).map(|k| rising(slow, k)).take_while(|risen| *risen < speed - 1e-9);
+        ramp.count()
+    };
     1 + ends.into_iter().flatten().map(ramp).sum::<usize>()
+}
+
+/// The speed `k` steps after one at the speed `slow` (m/s) as fast as it may rise.
+fn rising(slow: f64, k: usize) -> f64 {
+    let quick = slow + ENDS_CHANGE * k as f64;
+    if quick <= FAST {
+        return quick;
+    }
+    let quick = ((FAST - slow) / ENDS_CHANGE).max(0.0).floor();
+    let fast = slow + ENDS_CHANGE * quick;
+    fast + FAST_CHANGE * (k as f64 - quick)
 }
 
 /// How many steps a change of speed takes.
@@ -91,8 +108,7 @@ pub(super) fn tempo(
         }
     }
     let n = speeds_of_all.len();
-    let rising =
-        |slow: Option<f64>, k: usize| slow.map_or(f64::INFINITY, |slow| slow + ENDS_CHANGE * k as f64);
+    let rising = |slow: Option<f64>, k: usize| slow.map_or(f64::INFINITY, |slow| rising(slow, k));
     for (k, speed) in speeds_of_all.iter_mut().enumerate() {
         *speed = speed.min(rising(first, k)).min(rising(last, n - 1 - k));
     }

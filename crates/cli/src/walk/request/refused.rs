@@ -3,8 +3,8 @@
 use crate::args::{DeterminantCount, Gait, RootLink, RunBound, StyleName, WalkArgs, key_options};
 use crate::error::CliError;
 use clap::ValueEnum;
-use solaris::gait::Parameter;
 use solaris::gait::determinants::{Determinants, KeyParameter, five, three};
+use solaris::gait::{Parameter, RunEnd};
 
 /// The parameters of key postures.
 pub(super) fn key_parameters(determinants: Determinants) -> &'static [KeyParameter] {
@@ -18,9 +18,9 @@ pub(super) fn key_parameters(determinants: Determinants) -> &'static [KeyParamet
 pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Result<(), CliError> {
     if args.manner.gait == Gait::Run {
         if let Some((option, end)) =
-            ends(args).find(|(_, end)| *end == RunBound::Standing && args.manner.repeats.is_some())
+            ends(args).find(|(_, bound)| bound.end != RunEnd::Running && args.manner.repeats.is_some())
         {
-            return Err(CliError::option(option, name(&end), "a stride that repeats is one of full run"));
+            return Err(CliError::option(option, &end.typed, "a stride that repeats is one of full run"));
         }
         return of_walks(args).map_or(Ok(()), |(option, typed)| {
             Err(CliError::option(
@@ -33,7 +33,7 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
     if let Some((option, end)) = ends(args).next() {
         return Err(CliError::option(
             option,
-            name(&end),
+            &end.typed,
             "only --gait run has this; a walk begins and ends in standing",
         ));
     }
@@ -67,9 +67,9 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
 }
 
 /// How a run is to begin and to end, where that is said.
-fn ends(args: &WalkArgs) -> impl Iterator<Item = (&'static str, RunBound)> {
-    let ends = [("from", args.manner.from), ("to", args.manner.to)];
-    ends.into_iter().filter_map(|(option, end)| Some((option, end?)))
+fn ends(args: &WalkArgs) -> impl Iterator<Item = (&'static str, &RunBound)> {
+    let ends = [("from", &args.manner.from), ("to", &args.manner.to)];
+    ends.into_iter().filter_map(|(option, end)| Some((option, end.as_ref()?)))
 }
 
 /// What was given that only walks have.
