@@ -140,8 +140,8 @@ pub(crate) enum End<'py> {
 /// >>> len(flights) > 0
 /// True
 /// >>> walk = {"steps": 4, "speed": 1.5}
-/// >>> solaris.run_gait(speed=2.2, steps=6, start=walk, end=walk).report["steps"]
-/// 14
+/// >>> solaris.run_gait(speed=2.2, steps=6, start=walk, end=walk).measures["measures"]["steps"]
+/// 15
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start=None,

@@ -146,6 +146,17 @@ def test_walks_of_all_kinds():
     assert abs(np.ptp(loop.motion.q[:, 2])) < 0.1
     run = solaris.run_gait(speed=3.0, steps=4, end="running")
     assert run.measures["run"] is not None
+    walk = {"steps": 4, "speed": 1.5}
+    joined = solaris.run_gait(speed=2.2, steps=6, start=walk, end="walking")
+    lands = [event for event in joined.motion.events if event[1] == "touch_down"]
+    # One step of the run lands in the walk, whose last one closes beside the other foot.
+    assert len(lands) == 4 + 6 + 1 + 6 + 1
+    stood = solaris.run_gait(speed=2.2, steps=8, start="standing", end=walk)
+    assert stood.motion.q[0, 2] == pytest.approx(stood.motion.q[1, 2], abs=1e-4)
+    for wrong, message in [("flying", "'walking'"), ({"stepps": 4}, "start has no 'stepps'"), ({"steps": 1}, "3 to 30")]:
+        with pytest.raises(ValueError) as raised:
+            solaris.run_gait(speed=2.2, start=wrong)
+        assert message in str(raised.value)
     thesis = solaris.walk(determinants=3, step_frequency=95, steps=4)
     assert thesis.step_frequency == pytest.approx(95)
     joined = solaris.walk(steps=4, step_frequency=100, then=[{"steps": 4, "step_frequency": 110}, {"stand": 1.0}])

@@ -113,3 +113,16 @@ test('what cannot be had with a run, a slope or key postures is left out', async
   await choose(page, 'Left side', 'drop_foot');
   assert.equal(await title(page), 'A walk, sad, left side: drop foot');
 });
+
+test('a run begins and ends as it is chosen', async (t) => {
+  const page = await open(t, { still: true });
+  if (!page) return;
+  assert.equal(await page.locator('select[aria-label="Begins"]').isVisible(), false);
+  await choose(page, 'Gait', 'run');
+  await choose(page, 'Begins', 'walking');
+  assert.equal(await title(page), 'A run, begun in a walk');
+  await choose(page, 'Ends', 'standing');
+  assert.equal(await title(page), 'A run, begun in a walk, ended in standing');
+  await choose(page, 'Gait', 'walk');
+  assert.equal(await title(page), 'A walk');
+});

@@ -7,7 +7,7 @@ import { button, el, later, latest } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { fold } from '../ui/tabs.ts';
 import type { Body } from '../view.ts';
-import { type Asked, bodyOf, BODY, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN, wordsOf } from '../walk/asked.ts';
+import { type Asked, bodyOf, BODY, BOUNDS, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN, wordsOf } from '../walk/asked.ts';
 
 // Body mass over squared height of people (kg/m²), where nobody says a mass.
 const BODY_MASS_INDEX = 23.8;
@@ -120,6 +120,8 @@ export function makeWalkPanel(app: App): WalkPanel {
     body('mass', 'Mass', 'kg', 12, 180, 1),
     ...[...PACE, TURN, ...RUN].map(make),
     word('on', 'Ground', GROUNDS),
+    word('begins', 'Begins', BOUNDS),
+    word('ends', 'Ends', BOUNDS),
     ...[SLOPE, ...STAIRS].map(make),
     steps.element,
     style,

@@ -56,6 +56,7 @@ export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYL
 export const MANNERS: [string, string][] = ['', 'happy', 'sad', 'tired', 'proud', 'heavy', 'older', 'child', 'cautious'].map((manner) => [manner, manner || 'everybody’s']);
 export const SIDES: [string, string][] = [['', 'as the other'], ['limp', 'limp'], ['stiff_knee', 'stiff knee'], ['drop_foot', 'drop foot'], ['load', 'arm with a load']];
 export const POPULATIONS: [string, string][] = [['', 'adults overground'], ['treadmill', 'adults on a treadmill'], ['child', 'children'], ['older', 'older people']];
+export const BOUNDS: [string, string][] = [['', 'in full run'], ['standing', 'in standing'], ['walking', 'in a walk']];
 export const GROUNDS: [string, string][] = [['', 'level'], ['slope', 'a slope'], ['stairs', 'stairs']];
 
 // What was asked by words, and by numbers that were touched.
@@ -81,7 +82,7 @@ export function fieldsOf(asked: Asked): Field[] {
 
 // The words that do.
 export function wordsOf(asked: Asked): string[] {
-  if (isRun(asked)) return ['gait', 'steps'];
+  if (isRun(asked)) return ['gait', 'steps', 'begins', 'ends'];
   if (isPosed(asked)) return ['gait', 'steps', 'determinants'];
   const walking = ['gait', 'determinants', 'population', 'manner', 'on'];
   // How many steps stairs take, they say themselves.
@@ -104,15 +105,22 @@ function numbers(asked: Asked, fields: Field[], but?: string): Options {
   return found;
 }
 
+// Words that other options come of.
+const NOT_OPTIONS = ['on', 'begins', 'ends'];
+
 // As the engine's options have it: only what was touched. `but`: without this number.
 export function optionsOf(asked: Asked, but?: string): Options {
-  const said = wordsOf(asked).filter((name) => name !== 'on').map((name) => [name, asked.words[name]]);
+  const said = wordsOf(asked).filter((name) => !NOT_OPTIONS.includes(name)).map((name) => [name, asked.words[name]]);
   const own = fieldsOf(asked).filter((field) => !BODY.includes(field));
   const options: Options = { ...Object.fromEntries(said), ...numbers(asked, own, but) };
   // Nothing of these is level ground, and steps that are alike.
   for (const name of ['slope', 'variability']) if (options[name] === 0) delete options[name];
+  if (isRun(asked)) Object.assign(options, bound('from', words(asked, 'begins')), bound('to', words(asked, 'ends')));
   return options;
 }
+
+// How a run begins or ends, as the engine's options have it.
+const bound = (end: string, how: unknown): Options => ({ standing: { [`${end}_standing`]: true }, walking: { [`${end}_walking`]: {} } })[String(how)] ?? {};
 
 export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => numbers(asked, fieldsOf(asked).filter((field) => BODY.includes(field)));
 
@@ -138,6 +146,9 @@ export function titleOf(asked: Asked): string {
     ...sides((side) => said(`load.${side}`) > 0 && `, ${shown(said(`load.${side}`))} kg in the ${side} hand`),
     ...sides((side) => said(`shorterLeg.${side}`) > 0 && `, ${side} leg ${shown(1e3 * said(`shorterLeg.${side}`))} mm shorter`),
   ];
-  return [isRun(asked) ? 'A run' : 'A walk', ...parts.filter(Boolean)].join('');
+  const begins = word('begins', BOUNDS);
+  const ends = word('ends', BOUNDS);
+  const bounds = [begins && `, begun ${begins}`, ends && `, ended ${ends}`];
+  return [isRun(asked) ? 'A run' : 'A walk', ...[...bounds, ...parts].filter(Boolean)].join('');
 }
 const shown = (value: number): string => String(Number(value.toFixed(1)));

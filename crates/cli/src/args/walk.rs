@@ -208,7 +208,7 @@ pub(crate) struct MannerArgs {
     pub(crate) gait: Gait,
     #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(
         "Gait run: how it begins, in full run (running), in standing, or in a walk that begins in standing: walking, or such as \
-         walking,steps=6,speed=1.4; but in full run it takes some steps to reach its speed [default: running]"
+         walking,steps=6,speed=1.4; from standing or walking it takes some steps to reach its speed [default: running]"
     ))]
     pub(crate) from: Option<RunBound>,
     #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(

@@ -179,7 +179,6 @@ impl Chain {
         pass.forces.iter_mut().for_each(|forces| forces.along -= first);
         pass.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= first);
         pass.legs.iter_mut().for_each(|leg| leg.back(first));
-
         let excess = (0..n).map(|i| grid.first(i, |j| pass.momentum[j]) - pass.rate[i]);
         Ok(Self {
             pelvis: UniformSpline::resting(start, step, &rows(&pass.pelvis))?,

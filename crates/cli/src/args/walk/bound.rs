@@ -38,8 +38,9 @@ pub(super) fn parse(text: &str) -> Result<RunBound, BoundError> {
         "standing" => RunEnd::Standing,
         "walking" => RunEnd::Walking(walk(&rest)?),
         _ => {
-            let hint = nearest(how, HOW.into_iter())
-                .map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
+            let begun = HOW.into_iter().find(|known| !how.is_empty() && known.starts_with(how));
+            let near = begun.or_else(|| nearest(how, HOW.into_iter()));
+            let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
             return Err(BoundError::Unknown { hint });
         }
     };

@@ -300,17 +300,18 @@ impl<'a> Laws<'a> {
     ) -> Option<(Vec<f64>, Vec<f64>, Fitted)> {
         let (nodes, count, foot) = (self.nodes(), self.steps.len(), self.body.leg.foot_length());
         let given = self.given(forces, 2);
-        if let Some((_, speed)) = self.begun(&self.moved(&given), 2) {
+        let way = self.moved(&given);
+        let begun = self.begun(&way, 2);
+        if let Some((_, speed)) = begun {
             // What carries it out of the walk makes it faster too.
             let (_, left) = self.spans[0];
-            let after = self.moved(&given);
-            forces[0].gain -= speed + self.grid.first(left + 2, |i| after[i]);
+            forces[0].gain -= speed + self.grid.first(left + 2, |i| way[i]);
         }
         if let Some((met, _, rate)) = self.met(1) {
+            // What is missing to the walk's own speed.
             let before: f64 = forces[..count - 1].iter().map(|forces| forces.gain).sum();
-            let way = self.moved(&given);
-            let begun = self.begun(&way, 2).map_or(speed, |(_, speed)| speed);
-            forces[count - 1].gain = rate.z - begun - before - self.grid.first(met, |i| way[i]);
+            let speed = begun.map_or(speed, |(_, speed)| speed);
+            forces[count - 1].gain = rate.z - speed - before - self.grid.first(met, |i| way[i]);
         }
         let faster: Vec<f64> = self
             .each(|k, basis| self.body.mass * forces[k].gain * basis.faster)
