@@ -214,7 +214,7 @@ pub(crate) fn gait(error: GaitError) -> PyErr {
     let mut cause = &error;
     while let GaitError::InSegment { why, .. }
     | GaitError::InPart { why, .. }
-    | GaitError::BesideRun { why } = cause
+    | GaitError::BesideRun { why, .. } = cause
     {
         cause = why;
     }

@@ -129,7 +129,7 @@ pub(crate) enum End<'py> {
     Walk(Bound<'py, PyDict>),
 }
 
-/// Plans a run of 2.2 to 6 m/s, with its forces.
+/// Plans a run of 1 to 6 m/s, with its forces.
 ///
 /// `start` and `end` are `"running"` (the default), `"standing"`, `"walking"`, or a dictionary with the walk's `steps` and `speed`; `then` is a list of dictionaries with the keys `steps` and `speed`. The rest is as
 /// for `walk`.

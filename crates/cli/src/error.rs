@@ -128,11 +128,16 @@ impl CliError {
 
     /// A part of a walk that cannot be, said of the `--then` that asks for it.
     pub(crate) fn of_then(error: GaitError, then: String) -> Self {
+        Self::of_part(error, "then", then)
+    }
+
+    /// A part of a walk that cannot be, said of the option that asks for it.
+    pub(crate) fn of_part(error: GaitError, option: &str, typed: String) -> Self {
         let why = match out_of_range(error) {
             Ok(OutOfRange { name, value, unit, why }) => format!("{name} {}{unit}: {why}", four(value)),
             Err(error) => error.to_string(),
         };
-        Self::option("then", then, why)
+        Self::option(option, typed, why)
     }
 
     /// A value of this name, said of the option of that name as it was typed, or of what led to it.

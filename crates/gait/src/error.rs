@@ -45,8 +45,8 @@ pub enum GaitError {
     InSegment { number: usize, why: Box<GaitError> },
     #[error("part {number} of the walk: {why}")]
     InPart { number: usize, why: Box<GaitError> },
-    #[error("of the walk beside the run: {why}")]
-    BesideRun { why: Box<GaitError> },
+    #[error("of the walk {} the run: {why}", if *before { "before" } else { "after" })]
+    BesideRun { before: bool, why: Box<GaitError> },
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
     #[error(transparent)]
@@ -64,7 +64,7 @@ impl GaitError {
     pub fn turns_too_far(&self) -> bool {
         match self {
             Self::Request(RequestError::TurnInAll { .. }) => true,
-            Self::InSegment { why, .. } | Self::InPart { why, .. } | Self::BesideRun { why } => {
+            Self::InSegment { why, .. } | Self::InPart { why, .. } | Self::BesideRun { why, .. } => {
                 why.turns_too_far()
             }
             _ => false,

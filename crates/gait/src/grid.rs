@@ -56,6 +56,18 @@ impl Grid {
         pair(1) * (45.0 * unit) - pair(2) * (9.0 * unit) + pair(3) * unit
     }
 
+    /// Second derivative at node `i` of the values that `f` gives for nodes.
+    #[inline]
+    pub(crate) fn second<T>(&self, i: usize, f: impl Fn(usize) -> T) -> T
+    where
+        T: Add<Output = T> + Mul<f64, Output = T>,
+    {
+        let i = self.differenced(i);
+        let unit = 1.0 / (180.0 * self.step * self.step);
+        let pair = |k: isize| (f(self.at(i, k)) + f(self.at(i, -k))) * (SECOND[(3 + k) as usize] * unit);
+        f(i) * (SECOND[3] * unit) + pair(1) + pair(2) + pair(3)
+    }
+
     /// First derivatives at node `i` of the rows that `f` gives for nodes.
     #[inline]
     pub(crate) fn first_of<'a, const D: usize>(

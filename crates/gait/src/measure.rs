@@ -163,8 +163,8 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
         duration: motion.time()[last],
         extremes: WalkExtremes::of(figure, motion, &series),
         joints: joints.peaks(&series),
-        // Without double support it is a run, whose stride has other measures.
-        steady: if double_supports.is_empty() {
+        // A run's stride has other measures.
+        steady: if double_supports.is_empty() || flies(motion, &contacts) {
             None
         } else {
             SteadyStride::find(motion, &series, &joints, &contacts)
@@ -265,6 +265,19 @@ fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
             _ => None,
         })
         .collect()
+}
+
+/// Whether both feet are in the air somewhere: the other foot lifts before one lands.
+fn flies(motion: &Motion, contacts: &[(f64, usize)]) -> bool {
+    contacts.iter().any(|&(contact, side)| {
+        let before = motion.events.iter().take_while(|event| event.time < contact - SAME_TIME);
+        let of_other = before.filter_map(|event| match &event.kind {
+            EventKind::TouchDown { link } => (link == FEET[1 - side]).then_some(false),
+            EventKind::LiftOff { link } => (link == FEET[1 - side]).then_some(true),
+            _ => None,
+        });
+        of_other.last().unwrap_or(false)
+    })
 }
 
 /// From each contact but the closing one to the next lift-off, in % of the stride that the two contacts around it make.

@@ -31,6 +31,7 @@ mod walker;
 
 pub use crate::limbs::swing::Toes;
 pub use footfall::Footfall;
+pub(crate) use lopsided::is_lopsided;
 pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;

@@ -158,6 +158,26 @@ mod tests {
         assert_eq!(passes() - before, 1, "forces and a shift");
     }
 
+    /// Of a force that is not upright it lies further along the force, the higher the ground is: `P(h) = P(0) + h F/Fₙ`.
+    #[test]
+    fn the_centre_of_pressure_is_on_the_ground_that_is_asked_for() {
+        let figure = human(1.75, 73.0).expect("a person");
+        let motion = swaying(&figure, 0.1, (0..20).map(|i| f64::from(i) / 100.0).collect());
+        let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
+        let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
+        let low = feet.whole().expect("a whole wrench");
+        for level in [0.0, 0.3, -0.2] {
+            let found = feet.whole_at(level).expect("a whole wrench");
+            assert_eq!(found.len(), 20);
+            for (found, low) in found.iter().zip(low) {
+                let expected = low.cop.expect("pressed") + low.force * (level / low.force.y);
+                let cop = found.cop.expect("pressed");
+                assert!((cop - expected).norm() < 1e-12 && low.force.x.abs() > 1e-3, "{cop} {expected}");
+                assert_eq!(BalanceFrame { cop: low.cop, ..*found }, *low);
+            }
+        }
+    }
+
     #[test]
     fn points_move_as_their_velocities_say() {
         let figure = human(1.75, 73.0).expect("a person");

@@ -202,4 +202,16 @@ mod tests {
             assert!(outside(&plate, at.into()).abs() < 1e-12, "{at:?}");
         }
     }
+
+    /// To the bit, so that nothing lies between the last capsule of a ring and its first.
+    #[test]
+    fn every_capsule_of_a_ring_begins_where_another_ends() {
+        let plate = of_kind(&ShapeKind::Cylinder { radius: 0.3, length: 0.1 });
+        assert_eq!(plate.len(), 1 + RINGS * CORNERS);
+        for ring in plate[1..].chunks(CORNERS) {
+            for k in 0..CORNERS {
+                assert_eq!(ring[k].ends[1], ring[(k + 1) % CORNERS].ends[0], "corner {k}");
+            }
+        }
+    }
 }

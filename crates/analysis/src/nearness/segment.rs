@@ -151,4 +151,21 @@ mod tests {
             assert_abs_diff_eq!(found, distance(&[b, a], &second), epsilon = 1e-14 * scale);
         }
     }
+
+    /// From the first to the second, whichever end or foot is the nearest.
+    #[test]
+    fn the_way_leads_from_the_first_segment_to_the_second() {
+        let first = segment([[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
+        for (ends, expected) in [
+            ([[-3.0, -1.0, 0.0], [-3.0, 1.0, 0.0]], [-2.0, 0.0, 0.0]), // from its beginning
+            ([[3.0, -1.0, 0.0], [3.0, 1.0, 0.0]], [2.0, 0.0, 0.0]),    // from its end
+            ([[0.5, 2.0, 0.0], [0.5, 4.0, 0.0]], [0.0, 2.0, 0.0]),     // to the other's beginning
+            ([[0.5, -4.0, 0.0], [0.5, -2.0, 0.0]], [0.0, -2.0, 0.0]),  // to the other's end
+            ([[0.5, -1.0, 2.0], [0.5, 1.0, 2.0]], [0.0, 0.0, 2.0]),    // between feet
+        ] {
+            let (second, expected) = (segment(ends), Vector3::from(expected));
+            assert_abs_diff_eq!(shortest(&first, &second), expected, epsilon = 1e-15);
+            assert_abs_diff_eq!(shortest(&second, &first), -expected, epsilon = 1e-15);
+        }
+    }
 }

@@ -60,3 +60,30 @@ pub fn check_angles(figure: &Figure, motion: &Motion, in_degrees: Option<bool>) 
     let dof = layout.v_names()[dof].clone();
     (greatest > GREATEST_RADIANS).then_some(MotionFinding::DegreesAsRadians { dof, greatest })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solaris_model::{Curve, FigureBuilder, Joint, Known, LinkSpec, MotionInfo, Vector3};
+
+    /// A wheel that its crank turns five times as far.
+    #[test]
+    fn what_follows_another_is_not_judged() {
+        let gear = Joint::new("wheel").rx().following("crank.rx", Curve::Polynomial(vec![0.0, 5.0]));
+        let figure = FigureBuilder::new("gear")
+            .link(LinkSpec::root("crank", Joint::new("crank").rx()).mass(1.0))
+            .link(LinkSpec::child("wheel", "crank", gear).mass(1.0))
+            .build()
+            .expect("valid");
+        let found = |turned: f64| {
+            let (time, q) = (vec![0.0, 0.1], vec![0.0, 0.0, turned, 5.0 * turned]);
+            let info = MotionInfo::recorded(&figure, Vector3::zeros(), &time);
+            let columns = [q, vec![0.0; 4], vec![0.0; 4]];
+            let motion = Motion::recorded(&figure, info, time, columns, Known::none(2)).expect("a motion");
+            check_angles(&figure, &motion, None)
+        };
+        assert_eq!(found(9.0), None);
+        let crank = MotionFinding::DegreesAsRadians { dof: "crank.rx".to_owned(), greatest: 12.0 };
+        assert_eq!(found(-12.0), Some(crank));
+    }
+}

@@ -116,3 +116,33 @@ fn greatest(prepared: &PreparedMotion<'_>, found: &InverseReport, unsettled: f64
         (force.max(size(row, true)), moment.max(size(row, false)))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Up to five times the threshold of force and ten times that of moment.
+    #[test]
+    fn the_cause_is_told_by_how_many_times_the_thresholds_are_passed() {
+        for (force, moment, said) in [
+            (1.0, 1.0, "as good"),
+            (1.5, 0.5, "usual"),
+            (0.5, 1.5, "usual"),
+            (5.0, 10.0, "usual"),
+            (5.5, 0.5, "do not fit"),
+            (0.5, 10.5, "do not fit"),
+            (0.5, 40.0, "do not fit"),
+            (40.0, 0.5, "do not fit"),
+        ] {
+            let check = ResidualCheck {
+                force: force * 32.0,
+                force_threshold: 32.0,
+                moment: moment * 4.0,
+                moment_threshold: 4.0,
+                greatest_external: 640.0,
+                com_height: 0.625,
+            };
+            assert!(check.cause().contains(said), "{force}, {moment}: {}", check.cause());
+        }
+    }
+}

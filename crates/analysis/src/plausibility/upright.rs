@@ -95,7 +95,7 @@ fn can_turn(figure: &Figure) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use solaris_model::human;
+    use solaris_model::{FigureBuilder, Joint, LinkSpec, human};
     use std::f64::consts::{FRAC_PI_2, PI};
 
     const DOWN: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
@@ -139,5 +139,21 @@ mod tests {
             set("right_hip.rz", 1.4);
         });
         assert_eq!(bows, None);
+    }
+
+    /// Turned by just as much as is still upright, to some last bits.
+    #[test]
+    fn who_is_found_is_turned_by_more_than_is_upright() {
+        let trunk = LinkSpec::root("trunk", Joint::new("room").rz()).mass(30.0);
+        let figure = FigureBuilder::new("gymnast").link(trunk).build().expect("valid");
+        let angle = |turned: f64| match check_upright(&figure, &[0.0], &[turned], DOWN).expect("poses") {
+            Some(MotionFinding::Turned { angle, .. }) => Some(angle),
+            _ => None,
+        };
+        assert_eq!((angle(TURNED - 1e-9), angle(TURNED + 1e-9).is_some()), (None, true));
+        for bits in -8..=8 {
+            let turned = TURNED + f64::from(bits) * f64::EPSILON;
+            assert!(angle(turned).is_none_or(|angle| angle > TURNED), "{bits}");
+        }
     }
 }

@@ -5,6 +5,7 @@ mod hopper;
 mod laws;
 mod measured;
 mod placed;
+mod planted;
 mod plates;
 pub(crate) mod support;
 mod toes;

@@ -1,14 +1,14 @@
 //! Plates, angles and residuals that do not fit, on the project's subject and on a measured one.
 
 use crate::pinned::{file, say};
-use solaris_analysis::ground::{PlacedFeet, Sole, Stance, StanceOptions, find_stances, guessed_soles};
+use solaris_analysis::ground::{PlacedFeet, Sole, Stance, StanceOptions, find_stances, guessed_soles, soles};
 use solaris_analysis::plausibility::{
     FarCause, MotionFinding, PlateReport, ResidualCheck, check_angles, check_plates, check_residual,
     soles_of_plates,
 };
 use solaris_analysis::{Filter, InverseOptions, Loads, PreparedMotion, differentiate, inverse_motion};
 use solaris_io::{Import, Table, opensim, record, sto};
-use solaris_model::{MeasuredForce, Vector3};
+use solaris_model::{Contact, Figure, Link, MeasuredForce, Motion, MotionInfo, Vector3, human};
 
 /// A figure, its motion and the plates under its feet.
 struct Trial {
@@ -99,6 +99,95 @@ impl Trial {
     fn swap(&mut self) {
         let links: Vec<_> = self.plates.iter().rev().map(|plate| plate.links.clone()).collect();
         self.plates.iter_mut().zip(links).for_each(|(plate, links)| plate.links = links);
+    }
+}
+
+/// A person who stands still for half a second, this much (m) above where the root is at zero.
+fn standing(lifted: f64) -> (Figure, Motion) {
+    let figure = human(1.75, 73.0).expect("a person");
+    let (nv, frames) = (figure.layout().nv(), 51);
+    let mut q = vec![0.0; frames * figure.layout().nq()];
+    let height = figure.layout().dof_index("root.ty").expect("a free root");
+    q.iter_mut().skip(height).step_by(figure.layout().nq()).for_each(|height| *height = lifted);
+    let time = (0..frames).map(|i| i as f64 / 100.0).collect();
+    let still = vec![0.0; frames * nv];
+    let motion = Motion::new(&figure, MotionInfo::on_earth(&figure, 100.0), time, [q, still.clone(), still])
+        .expect("a motion");
+    (figure, motion)
+}
+
+/// A force straight up (N) on a link, by frame at a point (m) or not at all.
+fn upward(link: &str, time: &[f64], force: f64, at: impl Fn(usize) -> Option<Vector3<f64>>) -> MeasuredForce {
+    let force = Vector3::y() * force;
+    let sample = |frame| {
+        at(frame).map_or_else(Contact::default, |cop| Contact { force, moment: cop.cross(&force), cop })
+    };
+    let samples = (0..time.len()).map(sample).collect();
+    MeasuredForce { links: vec![link.to_owned()], ball_and_tip: None, time: time.to_vec(), samples }
+}
+
+/// Who stands on a stage stands higher by as much.
+#[test]
+fn the_ground_is_as_high_as_the_feet_stand() {
+    let level = |lifted: f64| {
+        let (figure, motion) = standing(lifted);
+        let mass: f64 = figure.links().iter().map(Link::mass).sum();
+        let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
+        let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
+        let stances = find_stances(&feet, &StanceOptions::default()).expect("stances");
+        let plate = |foot: usize| {
+            let [heel, _, tip] = feet.frame(0)[foot].points;
+            let weight = mass * motion.info.gravity.norm() / 2.0;
+            upward(&feet.soles()[foot].name, motion.time(), weight, |_| Some((heel + tip) * 0.5))
+        };
+        let report =
+            check_plates(&prepared, Some((&feet, &stances)), &[plate(0), plate(1)]).expect("checked");
+        assert_eq!((report.findings, report.complete), (Vec::new(), 51));
+        assert!((report.borne.expect("frames") - 1.0).abs() < 1e-9);
+        assert!((report.level - feet.frame(0)[0].points[0].y).abs() < 1e-9, "{}", report.level);
+        report.level
+    };
+    assert!((level(2.0) - level(0.5) - 1.5).abs() < 1e-12);
+}
+
+/// One plate is 3 cm beside its foot's edge, 7 cm in one frame, and bears for 40 frames; one is under its foot; one never bears; and
+/// one is pressed by a link that has no sole.
+#[test]
+fn each_plate_is_told_with_its_foot_and_how_far_it_is_from_it() {
+    let (figure, motion) = standing(0.0);
+    let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
+    let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
+    let stances = find_stances(&feet, &StanceOptions::default()).expect("stances");
+    let middle = |foot: usize| {
+        let [heel, _, tip] = feet.frame(0)[foot].points;
+        (heel + tip) * 0.5
+    };
+    let [heel, _, tip] = feet.frame(0)[0].points;
+    let side = Vector3::y().cross(&(tip - heel)).normalize();
+    let edge = 0.5 * feet.soles()[0].width.expect("a breadth");
+    let beside = |frame: usize| {
+        let far = if frame == 20 { 0.07 } else { 0.03 };
+        (frame < 40).then(|| middle(0) + side * (edge + far))
+    };
+    let (left, right) = (&*feet.soles()[0].name, &*feet.soles()[1].name);
+    let trunk = figure.links()[0].name();
+    let time = motion.time();
+    let plates = [
+        upward(left, time, 350.0, beside),
+        upward(right, time, 350.0, |_| Some(middle(1))),
+        upward(right, time, 350.0, |_| None),
+        upward(trunk, time, 350.0, |_| Some(Vector3::zeros())),
+    ];
+    let report = check_plates(&prepared, Some((&feet, &stances)), &plates).expect("checked");
+    let told: Vec<(&str, usize)> = report.plates.iter().map(|plate| (&*plate.foot, plate.loaded)).collect();
+    assert_eq!(told, [(left, 40), (right, 51), (right, 0), (trunk, 51)]);
+    let [first, under, never, pressed] = &report.plates[..] else { unreachable!("four were told") };
+    assert!((first.mean_distance.expect("it bears") - 0.031).abs() < 1e-9, "{first:?}");
+    let (greatest, when) = first.greatest_distance.expect("it bears");
+    assert!((greatest - 0.07).abs() < 1e-9 && (when - 0.2).abs() < 1e-12, "{first:?}");
+    assert_eq!((under.mean_distance, under.greatest_distance.map(|(far, _)| far)), (Some(0.0), Some(0.0)));
+    for plate in [never, pressed] {
+        assert_eq!((plate.mean_distance, plate.greatest_distance), (None, None), "{plate:?}");
     }
 }
 

@@ -210,6 +210,12 @@ impl Asked {
             |part: usize| self.origins.get(stage).and_then(|parts| parts.get(part)).cloned().flatten();
         match error {
             GaitError::InSegment { number, why } => self.refuse_in(number.saturating_sub(1), *why, args),
+            GaitError::BesideRun { before, why } => {
+                let (option, bound) =
+                    if before { ("from", &args.manner.from) } else { ("to", &args.manner.to) };
+                let typed = bound.as_ref().map_or_else(String::new, |bound| bound.typed.clone());
+                CliError::of_part(*why, option, typed)
+            }
             GaitError::InPart { number, why } => match origin(number.saturating_sub(1)) {
                 Some(then) => CliError::of_then(*why, then),
                 None => CliError::of_gait(*why, args),

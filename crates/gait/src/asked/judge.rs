@@ -98,9 +98,9 @@ fn accepted<T>(found: Result<T, GaitError>) -> Result<bool, GaitError> {
 /// Whether other numbers may do.
 fn is_of_numbers(error: &GaitError) -> bool {
     match error {
-        GaitError::InSegment { why, .. } | GaitError::InPart { why, .. } | GaitError::BesideRun { why } => {
-            is_of_numbers(why)
-        }
+        GaitError::InSegment { why, .. }
+        | GaitError::InPart { why, .. }
+        | GaitError::BesideRun { why, .. } => is_of_numbers(why),
         GaitError::Request(error) => matches!(
             error,
             RequestError::Range { .. }
@@ -113,7 +113,7 @@ fn is_of_numbers(error: &GaitError) -> bool {
                 | RequestError::RunChange { .. }
                 | RequestError::RunSteps { .. }
                 | RequestError::RunWalkSteps { .. }
-                | RequestError::RunWalkSlow { .. }
+                | RequestError::RunWalkSpeed { .. }
                 | RequestError::RunSlowerThanWalk { .. }
                 | RequestError::RunTooLong { .. }
                 | RequestError::StyleNotFinite { .. }

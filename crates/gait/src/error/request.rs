@@ -71,12 +71,10 @@ pub enum RequestError {
         "{steps} steps: to come to {speed} m/s, and from there to how it ends, takes {least} at least; give it as many, or run slower"
     )]
     RunSteps { steps: usize, speed: f64, least: usize },
-    #[error("a walk of {steps} steps beside a run; it must be {fewest} to {most}")]
+    #[error("{steps} steps; it must be {fewest} to {most}")]
     RunWalkSteps { steps: usize, fewest: usize, most: usize },
-    #[error(
-        "a walk at {speed} m/s beside a run; it must be {least:.2} m/s at least: a slower one has no way into a flight"
-    )]
-    RunWalkSlow { speed: f64, least: f64 },
+    #[error("a speed of {speed} m/s; it must be {least:.2} to {most:.2} m/s")]
+    RunWalkSpeed { speed: f64, least: f64, most: f64 },
     #[error("a run at {speed} m/s beside a walk at {walk:.2} m/s; it must be no slower than the walk")]
     RunSlowerThanWalk { speed: f64, walk: f64 },
     #[error(

@@ -176,22 +176,17 @@ pub(crate) struct Swing {
 }
 
 impl Swing {
-    /// From toe-off to a contact: the toes are straight there.
+    /// From toe-off to a contact: the toes are straight there, and the foot hardly turns before it.
     pub(crate) fn new(way: &Way<'_>, start: &LegJet, end: &LegJet) -> Result<Self, ProfileError> {
-        Self::with_toes(way, start, end, None)
+        Self::ending(way, start, end, true)
     }
 
     /// The same, to an instant at which the foot is still in the air.
     pub(crate) fn until(way: &Way<'_>, start: &LegJet, end: &LegJet) -> Result<Self, ProfileError> {
-        Self::with_toes(way, start, end, Some(extension(end)))
+        Self::ending(way, start, end, false)
     }
 
-    fn with_toes(
-        way: &Way<'_>,
-        start: &LegJet,
-        end: &LegJet,
-        toes: Option<Boundary>,
-    ) -> Result<Self, ProfileError> {
+    fn ending(way: &Way<'_>, start: &LegJet, end: &LegJet, lands: bool) -> Result<Self, ProfileError> {
         let toe_off = way.toe_off;
         let spline = |waypoints: &[(f64, f64)], until: f64, start, end| {
             let mut knots = vec![toe_off];
@@ -203,28 +198,31 @@ impl Swing {
         let thigh = spline(way.thigh, 1.0, start.thigh, end.thigh)?;
         let knee = spline(way.knee, 1.0, start.knee, end.knee)?;
         let landing = Touchdown { contact: end.pitch, time: way.landing, soft: way.soft_landing };
-        let landed_from = 1.0 - way.landing;
-        let rest = landing.pitch(0.0);
-        let (k, a) = (knee.at(landed_from), thigh.at(landed_from));
-        let before = Boundary::new(
-            k.position - a.position - rest,
-            k.velocity - a.velocity,
-            k.acceleration - a.acceleration,
-        );
-        let of = |jet: fn(&Boundary) -> f64| jet(&start.knee) - jet(&start.thigh) - jet(&start.pitch);
-        let after = Boundary::new(of(|b| b.position), of(|b| b.velocity), of(|b| b.acceleration));
+        let (landed_from, before) = if lands {
+            let landed_from = 1.0 - way.landing;
+            let (k, a) = (knee.at(landed_from), thigh.at(landed_from));
+            let before = Boundary::new(
+                k.position - a.position - landing.pitch(0.0),
+                k.velocity - a.velocity,
+                k.acceleration - a.acceleration,
+            );
+            (landed_from, before)
+        } else {
+            (1.0, dorsiflexion(end))
+        };
+        let toes = (!lands).then(|| extension(end));
         Ok(Self {
             toe_off,
             side: spline(&[], 1.0, start.side, end.side)?,
             thigh,
             knee,
-            dorsiflexion: spline(way.ankle, landed_from, after, before)?,
+            dorsiflexion: spline(way.ankle, landed_from, dorsiflexion(start), before)?,
             toes: way.toes.spline(toe_off, SETTLED, extension(start), toes)?,
             tilt: way.tilt,
             sideways: way.sideways,
             outward: way.outward,
             landing,
-            landed_from,
+            landed_from: if lands { landed_from } else { f64::INFINITY },
             bumps: Vec::new(),
         })
     }
@@ -331,6 +329,15 @@ impl Swing {
             }
         }
     }
+}
+
+/// How far the foot is bent up against the shank.
+fn dorsiflexion(LegJet { knee, thigh, pitch, .. }: &LegJet) -> Boundary {
+    Boundary::new(
+        knee.position - thigh.position - pitch.position,
+        knee.velocity - thigh.velocity - pitch.velocity,
+        knee.acceleration - thigh.acceleration - pitch.acceleration,
+    )
 }
 
 /// How far the toes are extended against the foot.

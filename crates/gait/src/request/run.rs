@@ -1,5 +1,6 @@
 //! The request for a run, with its ranges.
 
+use super::pace::{STEP_FREQUENCY, WALK_RATIO};
 use super::walk::Extent;
 use crate::error::RequestError;
 
@@ -9,7 +10,7 @@ pub const RUN_SPEED: (f64, f64) = (1.0, 6.0);
 /// The speed when none is asked (m/s).
 pub const DEFAULT_RUN_SPEED: f64 = 3.5;
 
-/// The most steps of a run that changes its speed, or begins or ends in standing: it is planned whole.
+/// The most steps of a run that changes its speed, or begins or ends otherwise than in full run, walks beside it not counted: it is planned whole.
 pub const CHANGING_RUN_STEPS: usize = 60;
 
 /// Speeds that the numbers of running are known at (m/s).
@@ -45,13 +46,13 @@ pub struct RunRequest {
     pub speed: f64,
     /// How far: so many steps, or as many whole steps as it takes to go at least so far.
     pub extent: Extent,
-    /// What is run next, at other speeds: up to 60 steps in all, as where it stands before or after it.
+    /// What is run next, at other speeds: up to 60 steps in all, as where it begins or ends otherwise than in full run.
     pub then: Vec<RunPart>,
     /// How it begins.
     pub from: RunEnd,
     /// How it ends.
     pub to: RunEnd,
-    /// Whether the left foot touches first; else the right one.
+    /// Whether the left foot touches first, in the walk before it where there is one; else the right one.
     pub left_first: bool,
     /// How finely to plan.
     pub resolution: RunResolution,
@@ -86,8 +87,7 @@ pub enum RunEnd {
 /// A walk out of which a run comes, or into which it goes over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunWalk {
-    /// How many steps, 3 to 30: the last one before the run leaves the ground as a runner's does, the first one after it goes on from where a runner
-    /// lands.
+    /// How many steps, 3 to 30. The last one before the run leaves the ground as a runner's does; after it they count from where the runner has landed.
     pub steps: usize,
     /// Speed (m/s), no more than the run's beside it; people's usual one where it is left out.
     #[doc(alias = "velocity")]
@@ -112,9 +112,13 @@ impl RunWalk {
         if !(fewest..=most).contains(&self.steps) {
             return Err(RequestError::RunWalkSteps { steps: self.steps, fewest, most });
         }
+        // At the quickest steps of all: v = W·H·f²/60.
+        let most = WALK_RATIO * height * STEP_FREQUENCY.1.powi(2) / 60.0;
         let least = SLOWEST_RUN_WALK * (height / 1.75).sqrt();
         match self.speed {
-            Some(speed) if speed.is_nan() || speed < least => Err(RequestError::RunWalkSlow { speed, least }),
+            Some(speed) if !(least..=most).contains(&speed) => {
+                Err(RequestError::RunWalkSpeed { speed, least, most })
+            }
             _ => Ok(()),
         }
     }

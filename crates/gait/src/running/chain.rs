@@ -58,8 +58,8 @@ pub(super) struct Chain {
     /// The first node's time and the nodes' distance (s).
     start: f64,
     step: f64,
-    /// What the momentum's rate has more than the law's.
-    excess: Vec<Vector3<f64>>,
+    /// What the momentum's rate has more than the law's (N m), and the force that the body needs (N).
+    excess: Vec<[Vector3<f64>; 2]>,
 }
 
 /// Where the body is: of each leg the hip (as that of a left leg), the pose, and by how much it is too short (m).
@@ -74,6 +74,8 @@ struct Pass {
     forces: Vec<StepForces>,
     legs: [Leg; 2],
     pelvis: Vec<Vector3<f64>>,
+    /// How far the centre of mass is from where the forces have it.
+    off: Vec<Vector3<f64>>,
     momentum: Vec<Vector3<f64>>,
     rate: Vec<Vector3<f64>>,
     turn: Option<Vec<Euler>>,
@@ -162,11 +164,13 @@ impl Chain {
                 Some((posture, part)) if *part == 0.0 => posture.legs,
                 _ => [0, 1].map(|side| legs[side].pose(&leg, time(i), &hip[side][i])),
             });
+            let off = momentum.com.iter().zip(&offset).map(|(found, guessed)| found - guessed).collect();
             offset = momentum.com;
             last = Some(Pass {
                 forces,
                 legs,
                 pelvis,
+                off,
                 momentum: momentum.angular,
                 rate,
                 turn,
@@ -179,7 +183,10 @@ impl Chain {
         pass.forces.iter_mut().for_each(|forces| forces.along -= first);
         pass.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= first);
         pass.legs.iter_mut().for_each(|leg| leg.back(first));
-        let excess = (0..n).map(|i| grid.first(i, |j| pass.momentum[j]) - pass.rate[i]);
+        let excess = (0..n).map(|i| {
+            let force = grid.second(i, |j| pass.off[j]) * body.mass;
+            [grid.first(i, |j| pass.momentum[j]) - pass.rate[i], force]
+        });
         Ok(Self {
             pelvis: UniformSpline::resting(start, step, &rows(&pass.pelvis))?,
             thorax: UniformSpline::resting(start, step, &pass.thorax)?,
@@ -263,7 +270,9 @@ impl Chain {
             }
         }
         let first = ((self.schedule.shown.0 - self.start) / self.step).round() as usize;
-        found.momentum_excess = greatest(self.excess[first..=first + nodes].iter().map(Vector3::amax));
+        let shown = &self.excess[first..=first + nodes];
+        found.momentum_excess = greatest(shown.iter().map(|[moment, _]| moment.amax()));
+        found.force_excess = greatest(shown.iter().map(|[_, force]| force.norm())) / weight;
         found
     }
 

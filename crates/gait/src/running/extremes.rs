@@ -16,6 +16,8 @@ pub struct RunExtremes {
     pub sink: f64,
     /// Greatest distance by which a leg is too short for its planted foot (m).
     pub short: f64,
+    /// By how much the force that the body needs differs from the law's at most, over the weight.
+    pub force_excess: f64,
     /// By how much the rate of the body's angular momentum differs from the law's at most (N m).
     pub momentum_excess: f64,
 }
@@ -28,6 +30,7 @@ impl RunExtremes {
             least_knee: f64::INFINITY,
             sink: f64::NEG_INFINITY,
             short: 0.0,
+            force_excess: 0.0,
             momentum_excess: 0.0,
         }
     }

@@ -10,10 +10,10 @@ use crate::walking::{G, Prescribing, Stood, StrideLoop, Walking, sampled};
 use solaris_analysis::ReactionError;
 use solaris_model::{Contact, Event, EventKind, Figure, Interval, Motion, Trajectory};
 
-/// A planned run: from a contact to a contact in full run, or from standing, or to a stop.
+/// A planned run: from a contact to a contact in full run, from standing or out of a walk, to a stop or into a walk.
 ///
 /// In full run it goes on before it begins and after it has ended, so that velocities and accelerations at its ends are those of a run that
-/// never ends. The first print's heel stands at z = 0. Left and right feet are 0 and 1.
+/// never ends. The first print's heel stands at z = 0, that of standing feet where it begins in a walk. Left and right feet are 0 and 1.
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]
 #[doc(alias = "jog")]
@@ -34,7 +34,7 @@ impl RunPlan {
         Self { stride, steps, left_first, chain: None, walks: [None, None] }
     }
 
-    /// Steps that are not all alike; `stride` is that of the first speed.
+    /// Steps that are not all alike, `steps` of them run; `stride` is that of the first speed.
     pub(super) fn changing(
         stride: RunStride,
         chain: Chain,
@@ -74,7 +74,7 @@ impl RunPlan {
         self.stride.style()
     }
 
-    /// Number of steps, those of the walks beside the run among them.
+    /// Number of steps, those of the walks beside the run among them, and the one that lands in a walk where it does not begin in full run.
     pub fn steps(&self) -> usize {
         self.steps
     }

@@ -12,7 +12,7 @@ use crate::request::pace::range;
 use crate::request::{
     Extent, RUN_SPEED, RunEnd, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STEPS, WalkRequest,
 };
-use crate::smooth::walk;
+use crate::smooth::{is_lopsided, walk};
 use solaris_model::Figure;
 use std::sync::Arc;
 
@@ -27,6 +27,8 @@ const SHORT: f64 = 1e-4;
 const EXCESS: f64 = 1e-2;
 /// The same of a run that changes.
 const MORE_EXCESS: f64 = 3e-2;
+/// The most by which the force that the body needs may miss the law's, over the weight.
+const FORCE_EXCESS: f64 = 0.08;
 /// Steps that a walk is planned on after the one that a run leaves: its last ones differ from the others.
 const WALKED_ON: usize = 5;
 /// Instants of a stride that are looked at.
@@ -36,7 +38,7 @@ const TRIED: f64 = 0.25;
 const HALVED: usize = 5;
 
 /// Plans a run: some steps of a steady stride, from a contact to a contact, in full run at both ends; or a chain of steps that changes its
-/// speed, or begins or ends in standing.
+/// speed, or begins or ends in standing or in a walk.
 ///
 /// # Errors
 ///
@@ -63,12 +65,14 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
     let style = RunStyle::of(body.height, speed);
     let steps = steps(request.extent, style.step_length)?;
     let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
-    if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, body) {
+    // A stride that repeats itself is one of two sides that are alike; of others each step is planned.
+    let lopsided = is_lopsided(body);
+    if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, body).filter(|_| !lopsided) {
         let nearest = String::new();
         return Err(PlanError::NotRunnable { speed, what, nearest }.into());
     }
     let ends = (request.from, request.to);
-    if request.then.is_empty() && ends == (RunEnd::Running, RunEnd::Running) {
+    if request.then.is_empty() && ends == (RunEnd::Running, RunEnd::Running) && !lopsided {
         return Ok(RunPlan::new(stride, steps, request.left_first));
     }
     if let Extent::Distance(distance) = request.extent {
@@ -77,7 +81,9 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
     let from = match request.from {
         RunEnd::Running => Bound::Running,
         RunEnd::Standing => Bound::Standing,
-        RunEnd::Walking(part) => Bound::Walking(walked(figure, body, part, part.steps, request.left_first)?),
+        RunEnd::Walking(part) => {
+            Bound::Walking(walked(figure, body, (part, true), part.steps, request.left_first)?)
+        }
     };
     let left_first = match &from {
         Bound::Walking(walked) => walked.next_left(),
@@ -91,7 +97,7 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
         RunEnd::Standing => Bound::Standing,
         RunEnd::Walking(part) => {
             let left_first = (WALKED_ON % 2 == 1) == left_last;
-            Bound::Walking(walked(figure, body, part, WALKED_ON, left_first)?)
+            Bound::Walking(walked(figure, body, (part, false), WALKED_ON, left_first)?)
         }
     };
     let all = tempo::tempo(speed, steps, &request.then, ends, [from.walks_at(), to.walks_at()])?;
@@ -101,30 +107,38 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
         return Err(PlanError::NotRunnable {
             speed,
             what,
-            nearest: "change the speed by less, or more slowly".to_owned(),
+            nearest: if request.then.is_empty() {
+                "run slower or faster, or let it take more steps"
+            } else {
+                "change the speed by less, or more slowly"
+            }
+            .to_owned(),
         }
         .into());
     }
     let walks = chain.walks(&from, &to)?;
-    Ok(RunPlan::changing(stride, chain, all.len(), request.left_first, walks))
+    // One more lands in the walk; in full run the first one begins with a contact.
+    let more = usize::from(!matches!(from, Bound::Running) && matches!(to, Bound::Walking(_)));
+    Ok(RunPlan::changing(stride, chain, all.len() + more, request.left_first, walks))
 }
 
-/// A walk out of which a run comes after its step `step`, or into which it goes over in that step.
+/// A walk before a run, which comes out of it in its step `step`, or after one, which goes over into it in that step.
 fn walked(
     figure: &Figure,
     body: &Body,
-    part: RunWalk,
+    (part, before): (RunWalk, bool),
     step: usize,
     left_first: bool,
 ) -> Result<Walked, GaitError> {
-    part.check(body.height)?;
+    let of_the_walk = |why: GaitError| GaitError::BesideRun { before, why: Box::new(why) };
+    part.check(body.height).map_err(|why| of_the_walk(why.into()))?;
     let request = WalkRequest {
         speed: part.speed,
         extent: Extent::Steps(part.steps + WALKED_ON),
         left_first,
         ..WalkRequest::default()
     };
-    let planned = walk(figure, &request).map_err(|why| GaitError::BesideRun { why: Box::new(why) })?;
+    let planned = walk(figure, &request).map_err(of_the_walk)?;
     Ok(Walked { walk: Arc::new(planned), step })
 }
 
@@ -146,7 +160,7 @@ fn steps(extent: Extent, step_length: f64) -> Result<usize, RequestError> {
 
 /// What soles or legs cannot do.
 fn fault(found: &RunExtremes, excess: f64, body: &Body) -> Option<String> {
-    let RunExtremes { friction, least_knee, sink, short, momentum_excess } = *found;
+    let RunExtremes { friction, least_knee, sink, short, force_excess, momentum_excess } = *found;
     let excess = excess * body.mass * crate::walking::G * body.height;
     // Written so that no number is a fault.
     let within = |value: f64, limit: f64| value <= limit;
@@ -158,6 +172,9 @@ fn fault(found: &RunExtremes, excess: f64, body: &Body) -> Option<String> {
         Some(format!("a foot would sink {:.1} mm into the ground", 1e3 * sink))
     } else if !within(short, SHORT) {
         Some(format!("a leg would be {:.1} mm too short to reach its foot on the ground", 1e3 * short))
+    } else if !within(force_excess, FORCE_EXCESS) {
+        let percent = 100.0 * force_excess;
+        Some(format!("body and forces do not come to agree: they are {percent:.0} % of the weight apart"))
     } else if !within(momentum_excess, excess) {
         Some(format!(
             "body and forces do not come to agree: their moments are {momentum_excess:.1} N m apart"

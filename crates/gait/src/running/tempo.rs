@@ -16,9 +16,21 @@ const SLOW: f64 = 1.2;
 /// By how much the first step of a run is faster than the walk before it (m/s).
 const FASTER: f64 = 0.3;
 
-/// How many steps a run has at least that begins and ends so, for its speed (m/s) to be reached, walks beside it not counted.
+/// How many steps are enough for a run that begins and ends so, for its speed (m/s) to be reached, walks beside it not counted.
 pub fn least_run_steps(speed: f64, from: RunEnd, to: RunEnd) -> usize {
-    least(speed, [from, to].map(|end| (end != RunEnd::Running).then_some(SLOW)))
+    least(
+        speed,
+        [from, to].map(|end| match end {
+            RunEnd::Running => None,
+            RunEnd::Standing => Some(SLOW),
+            RunEnd::Walking(walk) => Some(beside(walk.speed)),
+        }),
+    )
+}
+
+/// The speed of a run's step beside a walk at this speed (m/s), or of people's usual one, which is no slower than that.
+fn beside(walk: Option<f64>) -> f64 {
+    walk.map_or(SLOW, |walk| (walk + FASTER).max(SLOW))
 }
 
 /// The same for the speeds of the first and of the last step, where it does not begin or end in full run.
@@ -91,7 +103,7 @@ pub(super) fn tempo(
     }
     let slow = |end: RunEnd, walk: Option<f64>| match end {
         RunEnd::Running => None,
-        RunEnd::Standing | RunEnd::Walking(_) => Some(walk.map_or(SLOW, |walk| (walk + FASTER).max(SLOW))),
+        RunEnd::Standing | RunEnd::Walking(_) => Some(beside(walk)),
     };
     let (first, last) = (slow(from, walks[0]), slow(to, walks[1]));
     // Each end within its own part.

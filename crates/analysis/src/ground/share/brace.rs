@@ -148,3 +148,39 @@ fn least(
     let force = taken.dot(&tau) / taken.norm_squared();
     Ok(if force.is_finite() { force } else { 0.0 })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::effort::tests::{at_joints, on_two_feet};
+    use super::*;
+
+    /// Also where each foot has a moment of its own about its centre of pressure.
+    #[test]
+    fn another_push_costs_the_joints_more() {
+        on_two_feet(|sharing| {
+            let feet = sharing.supports(0).expect("feet that stand");
+            let mut parts = pivot::share(sharing, 0, Some(&feet));
+            for (part, sign) in parts.iter_mut().zip([1.0, -1.0]) {
+                part.moment += Vector3::new(20.0, -10.0, 30.0) * sign;
+            }
+            let along = (feet[1].cop - feet[0].cop).normalize();
+            let effort = Effort { sharing, row: 0, feet: &feet };
+            let mut workspace = Workspace::new(&sharing.prepared.tree);
+            let pair = [(0, 1.0), (1, -1.0)];
+            let best = least(&effort, pair, &along, &parts, &mut workspace).expect("a push");
+            let cost = |push: f64| {
+                let mut parts = parts.clone();
+                for (foot, sign) in pair {
+                    let force = along * (sign * push);
+                    parts[foot].force += force;
+                    parts[foot].moment += feet[foot].cop.cross(&force);
+                }
+                at_joints(sharing, 0, &parts)
+            };
+            let [here, up, down] = [best, best + 10.0, best - 10.0].map(cost);
+            // A parabola with its least value here rises alike to both sides.
+            let rises = up > here && (up - down).abs() < 1e-6 * (up - here);
+            assert!(rises && best.abs() > 1.0, "{best} N: {:e} {:e}", up - here, down - here);
+        });
+    }
+}

@@ -192,16 +192,16 @@ pub(super) fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64>
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::ground::{PlacedFeet, Stance, Stances, balance, soles};
     use crate::prepared::PreparedMotion;
     use solaris_model::{Motion, MotionInfo};
 
-    /// The functional as the documentation writes it, by inverse dynamics with the feet loaded.
-    fn functional(sharing: &Sharing<'_>, row: usize, parts: &Parts) -> f64 {
-        let (prepared, feet) = (sharing.prepared, sharing.supports(row).expect("feet that stand"));
-        let (weight, height) = (prepared.weight, sharing.height(row));
+    /// What the joints that count have to bear, `Σ (τ/(m g h))²`, by inverse dynamics with the feet loaded.
+    pub(in crate::ground::share) fn at_joints(sharing: &Sharing<'_>, row: usize, parts: &Parts) -> f64 {
+        let prepared = sharing.prepared;
+        let scale = prepared.weight * sharing.height(row);
         let loads = sharing.soles.iter().zip(parts);
         let loads = loads.map(|(sole, part)| (sole.foot, Wrench { force: part.force, moment: part.moment }));
         let mut tau = vec![0.0; prepared.tree.nv()];
@@ -209,13 +209,15 @@ mod tests {
         let mut workspace = Workspace::new(&prepared.tree);
         inverse_dynamics(&prepared.tree, &mut workspace, q, v, a, &loads.collect::<Vec<_>>(), &mut tau)
             .expect("finite");
-        let mut sum = 0.0;
-        for (index, at) in prepared.figure.layout().joints().iter().enumerate().skip(1) {
-            if sharing.soles.iter().all(|sole| sole.toes != Some(index)) {
-                sum +=
-                    tau[at.v..at.v + at.nv].iter().map(|tau| (tau / (weight * height)).powi(2)).sum::<f64>();
-            }
-        }
+        let joints = prepared.figure.layout().joints().iter().enumerate().skip(1);
+        let counts = joints.filter(|(index, _)| sharing.soles.iter().all(|sole| sole.toes != Some(*index)));
+        counts.flat_map(|(_, at)| &tau[at.v..at.v + at.nv]).map(|tau| (tau / scale).powi(2)).sum()
+    }
+
+    /// The functional as the documentation writes it.
+    fn functional(sharing: &Sharing<'_>, row: usize, parts: &Parts) -> f64 {
+        let (weight, feet) = (sharing.prepared.weight, sharing.supports(row).expect("feet that stand"));
+        let mut sum = at_joints(sharing, row, parts);
         for (foot, part) in parts.iter().enumerate() {
             let (force, half) = (part.force / weight, sharing.length_of_sole(row, foot) / 2.0);
             let moment = (part.moment - feet[foot].cop.cross(&part.force)) / (weight * half);
@@ -224,8 +226,8 @@ mod tests {
         sum
     }
 
-    #[test]
-    fn other_wrenches_with_the_same_sum_cost_more() {
+    /// A person on two feet, somehow bent and on the move, in a single frame.
+    pub(in crate::ground::share) fn on_two_feet(ask: impl FnOnce(&Sharing<'_>)) {
         let figure = solaris_model::human(1.75, 73.0).expect("a person");
         let gravity = Vector3::new(0.0, -9.81, 0.0);
         let mut q: Vec<f64> = (0..figure.layout().nq()).map(|i| 0.1 * (i as f64).sin()).collect();
@@ -239,23 +241,29 @@ mod tests {
             Stances { list, belt: Vector3::zeros(), level: 0.0, footings: Vec::new(), method: "told" };
         let total = balance(&prepared, 0.0).expect("a total");
         let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
-        let sharing = Sharing::new(&feet, &stances, &total);
-        let shares = sharing.supports(0).expect("feet").iter().map(|foot| foot.share).collect::<Vec<_>>();
-        assert!(shares.iter().all(|share| (0.05..0.95).contains(share)), "{shares:?}");
-        let best = super::share(&sharing).expect("parts").remove(0);
-        let least = functional(&sharing, 0, &best);
-        for k in 0..6 {
-            let step = if k < 3 { 1.0 } else { 0.1 };
-            let cost = |sign: f64| {
-                let mut other = best.clone();
-                for (part, sign) in other.iter_mut().zip([sign, -sign]) {
-                    if k < 3 { part.force[k] += sign * step } else { part.moment[k - 3] += sign * step }
-                }
-                functional(&sharing, 0, &other)
-            };
-            let (up, down) = (cost(1.0) - least, cost(-1.0) - least);
-            // A parabola with its least value here rises alike to both sides.
-            assert!(up > 0.0 && (up - down).abs() < 1e-6 * up, "{k}: {up:e} {down:e}");
-        }
+        ask(&Sharing::new(&feet, &stances, &total));
+    }
+
+    #[test]
+    fn other_wrenches_with_the_same_sum_cost_more() {
+        on_two_feet(|sharing| {
+            let shares = sharing.supports(0).expect("feet").iter().map(|foot| foot.share).collect::<Vec<_>>();
+            assert!(shares.iter().all(|share| (0.05..0.95).contains(share)), "{shares:?}");
+            let best = super::share(sharing).expect("parts").remove(0);
+            let least = functional(sharing, 0, &best);
+            for k in 0..6 {
+                let step = if k < 3 { 1.0 } else { 0.1 };
+                let cost = |sign: f64| {
+                    let mut other = best.clone();
+                    for (part, sign) in other.iter_mut().zip([sign, -sign]) {
+                        if k < 3 { part.force[k] += sign * step } else { part.moment[k - 3] += sign * step }
+                    }
+                    functional(sharing, 0, &other)
+                };
+                let (up, down) = (cost(1.0) - least, cost(-1.0) - least);
+                // A parabola with its least value here rises alike to both sides.
+                assert!(up > 0.0 && (up - down).abs() < 1e-6 * up, "{k}: {up:e} {down:e}");
+            }
+        });
     }
 }

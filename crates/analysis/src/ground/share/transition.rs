@@ -100,8 +100,28 @@ fn between(sharing: &Sharing<'_>, t: f64) -> (Wrench<f64>, Vector3<f64>) {
 
 #[cfg(test)]
 mod tests {
-    use super::kept;
+    use super::*;
     use approx::assert_relative_eq;
+
+    /// On a slope and on a belt, of a foot whose fore-aft force is along z.
+    #[test]
+    fn the_moment_about_the_normal_decays_like_the_rest_where_the_foot_has_gone() {
+        let release = Release {
+            double: Double { trailing: 0, leading: 1, start: 2.0, end: 2.4 },
+            force: Vector3::new(30.0, 600.0, 80.0),
+            cop: Vector3::new(0.1, 0.2, -0.3),
+            normal: Vector3::new(0.0, 0.8, 0.6),
+            twist: 6.0,
+            belt: Vector3::new(0.0, 0.0, -1.5),
+            forward: Vector3::z(),
+        };
+        for (t, z, rest) in [(2.0, -0.3, 1.0), (2.2, -0.6, (-1.0_f64).exp()), (2.4, -0.9, (-8.0_f64).exp())] {
+            let wrench = release.at(t);
+            assert_relative_eq!(wrench.force.xy(), release.force.xy() * rest, epsilon = 1e-9);
+            let own = wrench.moment - Vector3::new(0.1, 0.2, z).cross(&wrench.force);
+            assert_relative_eq!(own, Vector3::new(0.0, 4.8, 3.6) * rest, epsilon = 1e-9);
+        }
+    }
 
     #[test]
     fn the_trailing_foot_begins_with_all_and_ends_with_next_to_nothing() {

@@ -59,7 +59,7 @@ pub(super) fn crossing(
 
 #[cfg(test)]
 mod tests {
-    use super::standing;
+    use super::{crossing, standing};
 
     #[test]
     fn edges_lie_where_the_line_crosses_zero() {
@@ -81,5 +81,21 @@ mod tests {
     fn what_never_comes_down_never_stands() {
         assert_eq!(standing(&[0.0, 1.0], &[f64::INFINITY; 2], 0.1), []);
         assert_eq!(standing(&[0.5], &[-1.0], 0.1), [(0.5, 0.5)]);
+    }
+
+    #[test]
+    fn an_edge_is_sought_inwards_until_it_is_down_and_then_outwards() {
+        let time = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0];
+        let decides = |row: usize| [6.0, -2.0, -1.0, -5.0, -2.0, 8.0][row];
+        // From 6 to −2 the line is at zero after three quarters of a second, from −2 to 8 after a fifth.
+        for near in 0..=3 {
+            assert_eq!(crossing(&time, 3, near, false, decides).to_bits(), 0.75_f64.to_bits(), "{near}");
+        }
+        for near in 2..=5 {
+            assert_eq!(crossing(&time, 2, near, true, decides).to_bits(), 4.2_f64.to_bits(), "{near}");
+        }
+        // What is down at the end of the motion has its edge there.
+        assert_eq!(crossing(&time[..5], 2, 3, true, decides).to_bits(), 4.0_f64.to_bits());
+        assert_eq!(crossing(&time, 3, 3, false, |_| -1.0).to_bits(), 0.0_f64.to_bits());
     }
 }

@@ -221,3 +221,61 @@ fn bare((start, end): Span, feet: &[Vec<Span>]) -> Vec<Span> {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::StanceOptions;
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// A foot of which all points are on the ground and of one speed (m/s).
+    fn on_ground(frames: usize, speed: f64) -> FootTrack {
+        FootTrack { above: vec![[0.0; 3]; frames], speed: vec![[speed; 3]; frames], stands: true }
+    }
+
+    /// The weight is borne but for two frames, so that from 0.49 s to 0.61 s there is less than a tenth of it.
+    #[test]
+    fn a_planted_foot_stands_on_where_the_force_says_that_nobody_does() {
+        let time: Vec<f64> = (0..=10).map(|row| f64::from(row) / 10.0).collect();
+        let normal = (0..=10).map(|row| if row == 5 || row == 6 { 0.0 } else { 1.0 }).collect();
+        let support = Support::new(&time, normal);
+        let stands = |speed: f64| {
+            let track = on_ground(time.len(), speed);
+            let limits = [Limits::of(&track, &StanceOptions::default())];
+            let mut feet = [vec![(0.0, 1.0)]];
+            support.settle(&mut feet, &[track], &limits, 0.1);
+            feet[0].clone()
+        };
+        for speed in [0.0, 0.19] {
+            assert_eq!(stands(speed), [(0.0, 1.0)], "{speed} m/s");
+        }
+        let moving = stands(0.21);
+        assert_eq!(moving.len(), 2, "{moving:?}");
+        for (found, expected) in moving.iter().zip([(0.0, 0.49), (0.61, 1.0)]) {
+            assert_relative_eq!(found.0, expected.0, epsilon = 1e-12);
+            assert_relative_eq!(found.1, expected.1, epsilon = 1e-12);
+        }
+    }
+
+    /// Where no foot stands in the whole time the nearest one does, also where one comes in the very instant in which that time ends, or has left
+    /// in that in which it begins.
+    #[test]
+    fn who_comes_as_a_time_ends_has_not_stood_in_it() {
+        let time: Vec<f64> = (0..=10).map(|row| f64::from(row) / 10.0).collect();
+        let support = Support::new(&time, vec![1.0; time.len()]);
+        let tracks = [on_ground(time.len(), 0.6), on_ground(time.len(), 0.7)];
+        let limits = tracks.each_ref().map(|track| Limits::of(track, &StanceOptions::default()));
+        let span = (0.25, 0.75);
+        let stands = |other: Span| {
+            let mut feet = [Vec::new(), vec![other]];
+            support.nearest(span, &mut feet, &tracks, &limits);
+            feet[0].clone()
+        };
+        for beside in [(0.75, 1.0), (0.0, 0.25)] {
+            assert_eq!(stands(beside), [span], "{beside:?}");
+        }
+        for within in [(0.74, 1.0), (0.0, 0.26)] {
+            assert_eq!(stands(within), [], "{within:?}");
+        }
+    }
+}

@@ -181,3 +181,74 @@ fn root(first: &[usize], mut link: usize) -> usize {
     }
     link
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use solaris_model::{FigureBuilder, Joint, LinkSpec};
+
+    /// Two links and two markers, the second of which is fixed: `1/σ_d²` of 2500 and of 40 000.
+    fn unknowns() -> Unknowns {
+        let figure = FigureBuilder::new("arm")
+            .link(LinkSpec::root("upper", Joint::new("shoulder").rx()).mass(2.0))
+            .link(LinkSpec::child("lower", "upper", Joint::new("elbow").rx()).mass(1.0))
+            .build()
+            .expect("valid");
+        let marker = |name: &str, link, is_fixed| Marker {
+            name: name.to_owned(),
+            link,
+            position: Vector3::zeros(),
+            is_fixed,
+        };
+        let markers = [marker("soft", 0, false), marker("bone", 1, true)];
+        Unknowns::of(&figure, &markers, &FitOptions { placing: 0.02, ..FitOptions::default() })
+    }
+
+    fn prior(unknowns: &Unknowns, state: &DVector<f64>) -> (f64, DVector<f64>, DMatrix<f64>) {
+        let n = unknowns.len();
+        let (mut matrix, mut gradient) = (DMatrix::zeros(n, n), DVector::zeros(n));
+        let cost = unknowns.add_prior(state, &mut matrix, &mut gradient);
+        (cost, gradient, matrix)
+    }
+
+    /// `5/2·ln(1 + d²/(2·σ²))`, whose slope is `5·d/(2·σ² + d²)`.
+    #[test]
+    fn a_marker_that_is_off_is_pulled_back_less_the_farther_it_is() {
+        let unknowns = unknowns();
+        for (marker, sigma) in [(0, 0.02_f64), (1, 0.005)] {
+            let at = unknowns.marker(marker);
+            for times in [0.0, 0.5, 1.0, 2.0_f64.sqrt(), 10.0] {
+                let mut state = unknowns.start();
+                state[at + 1] = times * sigma;
+                let (cost, gradient, matrix) = prior(&unknowns, &state);
+                let weight = 5.0 / (2.0 + times * times) / (sigma * sigma);
+                assert_relative_eq!(cost, 2.5 * (1.0 + times * times / 2.0).ln(), max_relative = 1e-12);
+                assert_relative_eq!(gradient[at + 1], weight * times * sigma, max_relative = 1e-12);
+                for k in 0..3 {
+                    assert_relative_eq!(matrix[(at + k, at + k)], weight, max_relative = 1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_slope_of_what_is_known_beforehand_is_that_of_its_cost() {
+        let unknowns = unknowns();
+        let lengths = unknowns.marker(0);
+        let state = DVector::from_fn(unknowns.len(), |i, _| {
+            let size = if i < lengths { 0.1 } else { 0.01 };
+            size * (1.0 + i as f64).sin()
+        });
+        let (_, gradient, _) = prior(&unknowns, &state);
+        for i in 0..unknowns.len() {
+            let moved = |by: f64| {
+                let mut moved = state.clone();
+                moved[i] += by;
+                prior(&unknowns, &moved).0
+            };
+            let slope = (moved(1e-6) - moved(-1e-6)) / 2e-6;
+            assert_relative_eq!(gradient[i], slope, epsilon = 1e-5, max_relative = 1e-5);
+        }
+    }
+}

@@ -238,6 +238,20 @@ fn few_iterations_are_told() {
     assert!(found.shift.iter().all(|v| v.iter().all(|x| x.is_finite())));
 }
 
+/// Seven digits of the shift are fourteen of the gap, which steps to three tenths of it would take 27 iterations for.
+#[test]
+fn more_digits_take_few_iterations() {
+    let (frames, outlines) = pushed(201, 70.0, Vector3::new(0.2, 1.0, 0.4), Vector3::new(1.5, 0.0, 0.0));
+    let [few, many] = [1e-3, 1e-10].map(|tolerance| {
+        let options = ConsistencyOptions { tolerance, ..FREE };
+        let found = consistent(100.0, 70.0, &GRAVITY, 0.0, &frames, &outlines, &options).expect("solved");
+        assert_eq!(found.outcome, ConsistencyOutcome::Reached);
+        found.iterations
+    });
+    say(&format!("{few} iterations to a millimetre, {many} to a ten millionth of it"));
+    assert!(few < many && many - few <= 13, "{few} and {many}");
+}
+
 #[test]
 fn noise_is_met() {
     let mut seed = 5;

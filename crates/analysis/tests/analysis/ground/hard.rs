@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use solaris_analysis::ground::{
     Belt, GroundError, GroundOption, GroundOptions, Split, Stance, StanceOptions, Stances, soles,
 };
-use solaris_model::{FigureBuilder, Joint, LinkSpec, SolePart, Vector3};
+use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, SolePart, Vector3};
 
 fn refused(states: &States, options: &GroundOptions, gravity: Vector3<f64>) -> GroundError {
     let figure = person();
@@ -56,6 +56,12 @@ fn what_cannot_be_is_refused_by_name() {
         let stances = Some(Stances { list: vec![stance], ..steps() });
         let options = GroundOptions { stances, ..GroundOptions::default() };
         assert!(matches!(refused(&states, &options, GRAVITY), GroundError::Stance { stance: 0, .. }));
+    }
+    for speed in [f64::NAN, f64::INFINITY] {
+        let stances = Some(Stances { belt: Vector3::new(0.0, 0.0, speed), ..steps() });
+        let options = GroundOptions { stances, ..GroundOptions::default() };
+        let error = refused(&states, &options, GRAVITY);
+        assert!(matches!(error, GroundError::Option { option: GroundOption::Belt, .. }), "{error}");
     }
 }
 
@@ -152,9 +158,34 @@ fn a_belt_is_found_and_its_feet_stand_on_it() {
     assert_eq!(find(Belt::Speed(found.belt)).list, found.list);
 }
 
-/// A table on three paws.
+/// A body that walks over a foot that moves evenly. What moves with the ground is less than a quarter of the speed of
+/// travel over it on a foot that rolls, and all of it on a walkway.
 #[test]
-fn three_feet_share_by_two_splits_and_not_by_the_third() {
+fn a_belt_is_told_by_how_fast_the_body_travels_over_it() {
+    let foot = LinkSpec::root("foot", Joint::new("root").tx().ty().tz()).mass(10.0);
+    let foot = foot
+        .sole(SolePart::Heel, Vector3::new(0.0, 0.0, -0.1))
+        .sole(SolePart::Ball, Vector3::new(0.0, 0.0, 0.1))
+        .sole(SolePart::ToeTip, Vector3::new(0.0, 0.0, 0.15));
+    let body = LinkSpec::child("body", "foot", Joint::new("way").tz()).mass(60.0);
+    let figure = FigureBuilder::new("walker").link(foot).link(body.com(Vector3::y())).build().expect("valid");
+    // The centre of mass travels at 1 m/s: at 0.7 m/s over a foot that is faster than a quarter of that, and at 1.22 m/s over one that is slower.
+    for (speed, belt) in [(0.3, 0.3), (-0.22, 0.0)] {
+        let way = (1.0 - speed) * 70.0 / 60.0;
+        let mut states = States { a: vec![0.0; 4 * 101], ..States::default() };
+        for t in (0..=100).map(|row| f64::from(row) / 100.0) {
+            states.time.push(t);
+            states.q.extend([0.0, 0.0, speed * t, way * t]);
+            states.v.extend([0.0, 0.0, speed, way]);
+        }
+        let options = StanceOptions::default();
+        let found = find_stances(&figure, GRAVITY, &states, &soles(&figure), &options).expect("stances");
+        assert_relative_eq!(found.belt, Vector3::new(0.0, 0.0, belt), epsilon = 1e-12);
+    }
+}
+
+/// A table on three paws, the first of them in front.
+fn table() -> Figure {
     let mut builder = FigureBuilder::new("table").link(
         LinkSpec::root("top", Joint::new("root").tx().ty().tz()).mass(9.0).com(Vector3::new(0.1, 0.0, 0.0)),
     );
@@ -163,7 +194,31 @@ fn three_feet_share_by_two_splits_and_not_by_the_third() {
         let spec = LinkSpec::child(name, "top", joint).mass(1.0).com(Vector3::new(0.0, -0.4, 0.0));
         builder = builder.link(spec.sole(SolePart::Ball, Vector3::new(0.0, -0.8, 0.0)));
     }
-    let figure = builder.build().expect("valid");
+    builder.build().expect("valid")
+}
+
+/// Two paws stand throughout, and the third for four seconds: it has the weight `3x² − 2x³` of their 1 each, rising for two seconds and
+/// falling for two, of the sum of all.
+#[test]
+fn three_shares_rise_and_fall_and_add_up_to_one() {
+    let figure = table();
+    let time = vec![0.5, 1.0, 2.0, 3.0, 3.5];
+    let [q, v, a] = [(); 3].map(|()| vec![0.0; figure.layout().nv() * time.len()]);
+    let states = States { time, q, v, a, ..States::default() };
+    let stance = |foot, start, end| Stance { foot, start, end };
+    let list = vec![stance(0, -10.0, 10.0), stance(1, -10.0, 10.0), stance(2, 0.0, 4.0)];
+    let ground = ground(&figure, &states, Split::Pivot, Stances { list, ..steps() });
+    for (row, third) in [0.15625, 0.5, 1.0, 0.5, 0.15625].into_iter().enumerate() {
+        for (track, own) in ground.contacts.iter().zip([1.0, 1.0, third]) {
+            let expected = ground.report.weight * own / (2.0 + third);
+            assert_relative_eq!(track.samples[row].force.y, expected, epsilon = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn three_feet_share_by_two_splits_and_not_by_the_third() {
+    let figure = table();
     let paws = soles(&figure);
     assert_eq!(paws.len(), 3);
     let nv = figure.layout().nv();

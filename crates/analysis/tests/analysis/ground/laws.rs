@@ -3,7 +3,7 @@
 use crate::ground::support::{GRAVITY, ground, person, steps, swaying, swaying_at};
 use crate::states::inverse_loaded;
 use approx::assert_relative_eq;
-use solaris_analysis::ground::{Footing, Split, Stances, soles};
+use solaris_analysis::ground::{Footing, Split, Stance, Stances, soles};
 use solaris_analysis::{FootSupport, split_at_pivot};
 use solaris_dynamics::Wrench;
 use solaris_model::{Contact, Vector3};
@@ -70,6 +70,25 @@ fn friction_is_what_is_along_the_ground_over_what_is_across() {
     }
 }
 
+/// One foot stands 0.2 m higher than the other: whoever stands still presses half-way up, below the centre of mass, wherever it is told
+/// of the two levels where they are.
+#[test]
+fn feet_at_two_heights_press_half_way_up() {
+    let figure = person();
+    let states = swaying(&figure, 3, 0.0);
+    let list = vec![Stance { foot: 0, start: -1.0, end: 1.0 }, Stance { foot: 1, start: -1.0, end: 1.0 }];
+    let level = |x, y, z| Footing { point: Vector3::new(x, y, z), normal: Vector3::y() };
+    for footings in
+        [[level(0.0, 0.0, 0.0), level(0.0, 0.2, 0.0)], [level(5.0, 0.0, 3.0), level(-7.0, 0.2, 1.0)]]
+    {
+        let stances = Stances { list: list.clone(), footings: footings.to_vec(), ..steps() };
+        for frame in ground(&figure, &states, Split::Pivot, stances).total {
+            let cop = frame.cop.expect("pressed");
+            assert_relative_eq!(cop, Vector3::new(0.0, 0.1, frame.com.z), epsilon = 1e-12);
+        }
+    }
+}
+
 /// Five thousand frames a second: nothing jumps by a hundredth of the weight where feet come and leave.
 #[test]
 fn forces_are_continuous() {
@@ -109,10 +128,8 @@ fn the_pivot_split_is_that_of_its_formula() {
 fn forces_of_feet_that_stand_still_point_at_the_hips() {
     let figure = person();
     let states = swaying(&figure, 101, 0.0);
-    let standing = Stances {
-        list: [0, 1].map(|foot| solaris_analysis::ground::Stance { foot, start: -1.0, end: 2.0 }).to_vec(),
-        ..steps()
-    };
+    let standing =
+        Stances { list: [0, 1].map(|foot| Stance { foot, start: -1.0, end: 2.0 }).to_vec(), ..steps() };
     let ground = ground(&figure, &states, Split::Pivot, standing);
     for track in &ground.contacts {
         let Contact { force, .. } = track.samples[50];
@@ -135,10 +152,8 @@ fn forces_of_feet_apart_lean_as_the_legs_do() {
             states.q[row * nv + dof] = angle;
         }
     }
-    let standing = Stances {
-        list: [0, 1].map(|foot| solaris_analysis::ground::Stance { foot, start: -1.0, end: 2.0 }).to_vec(),
-        ..steps()
-    };
+    let standing =
+        Stances { list: [0, 1].map(|foot| Stance { foot, start: -1.0, end: 2.0 }).to_vec(), ..steps() };
     let ground = ground(&figure, &states, Split::Pivot, standing);
     let leans = ground.contacts.iter().map(|track| track.samples[50].force).map(|force| force.x / force.y);
     let leans: Vec<f64> = leans.collect();

@@ -20,7 +20,7 @@ pub(crate) enum BoundError {
     NotOfIt { item: String },
     #[error("{key}={value}: '{value}' is no number; write it such as walking,steps=6,speed=1.4")]
     NotANumber { key: String, value: String },
-    #[error("steps={value}: it must be a whole number")]
+    #[error("steps={value}: it must be a whole number, 3 to 30")]
     Steps { value: String },
     #[error("{key} is given twice; drop one")]
     Twice { key: String },
@@ -39,7 +39,7 @@ pub(super) fn parse(text: &str) -> Result<RunBound, BoundError> {
         "walking" => RunEnd::Walking(walk(&rest)?),
         _ => {
             let begun = HOW.into_iter().find(|known| !how.is_empty() && known.starts_with(how));
-            let near = begun.or_else(|| nearest(how, HOW.into_iter()));
+            let near = begun.map(str::to_owned).or_else(|| nearest(how, HOW.into_iter()));
             let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
             return Err(BoundError::Unknown { hint });
         }

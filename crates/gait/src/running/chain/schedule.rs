@@ -23,20 +23,19 @@ const UNSEEN: usize = 3;
 const MOVING_ON: f64 = 0.8;
 /// Speed at which the push from standing leaves the ground (m/s).
 const PUSHED: f64 = 0.85;
-/// By how much the knee is more bent in the push and at toe-off of the last step before the stop.
+/// By how much the knee is more bent in the push and at toe-off of the last step before a stop or a walk.
 const LAST_KNEE: (f64, f64) = (10.0 * std::f64::consts::PI / 180.0, 14.0 * std::f64::consts::PI / 180.0);
-/// Parts of the foot's pitch and of the knee's rate then.
+/// By how much the knee is more bent at the first contact after standing, and parts of the foot's pitch and of the knee's rate there.
+const FIRST_KNEE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const FIRST_STRIKE: f64 = 0.4;
 const FIRST_RATE: f64 = 0.4;
-/// By how much more the body leans forward as it begins.
+/// By how much more the body leans forward as it begins in standing.
 const LEAN: f64 = 8.0 * std::f64::consts::PI / 180.0;
-/// How far the first prints after standing may lie beside the line (m).
+/// How far the first prints after standing or a walk, and the last ones before a walk, may lie beside the line (m).
 const ASIDE: [f64; 2] = [0.02, 0.01];
 /// Parts of a flight that the one out of a walk and the one into a walk last.
 const LAUNCHED: f64 = 0.5;
 const ARRIVES: f64 = 0.3;
-/// By how much the knee is more bent at the first contact after standing.
-const FIRST_KNEE: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// How long trunk and arms take from a walk's to a run's (s).
 const GOING_OVER: f64 = 0.5;
 
@@ -98,14 +97,13 @@ impl Schedule {
             None if stands.first => begin.last + 0.6 * styles[0].flight_time(),
             None => 0.0,
         };
+        // The flight into a walk is short.
+        let flight = |k: usize| if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * styles[k].flight_time();
         let mut times = vec![at_node(first)];
         for (k, style) in styles.iter().enumerate() {
-            // The flight into a walk is short.
-            let flight = if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * style.flight_time();
-            times.push(at_node(times[k] + style.contact_time() + flight));
+            times.push(at_node(times[k] + style.contact_time() + flight(k)));
         }
         let side = |k: usize| usize::from((k % 2 == lead % 2) != left_first);
-        let flight = |k: usize| styles[k].flight_time();
         let (mut steps, mut means) = (Vec::new(), Vec::new());
         if stands.first {
             steps.push(Footstep::begin(1 - side(0), &styles[0], begin.clone()));
@@ -118,8 +116,7 @@ impl Schedule {
             steps.push(Footstep::launch(&styles[0], launch));
         }
         for k in 0..n {
-            let after = if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * flight(k);
-            let around = styles[k].contact_time() + 0.5 * (after + flight(k.saturating_sub(1)));
+            let around = styles[k].contact_time() + 0.5 * (flight(k) + flight(k.saturating_sub(1)));
             let near = |k: usize| ASIDE.get(k).copied().unwrap_or(0.0);
             let beside = if stands.first || seam.is_some() { near(k) } else { 0.0 };
             let beside = if walks_on { beside.max(near(n - 1 - k)) } else { beside };
@@ -286,12 +283,14 @@ fn styles(height: f64, speeds: &[f64], from: &Bound, to: &Bound) -> Vec<RunStyle
         styles[last].knee_toe_off += LAST_KNEE.1;
         styles[last].knee_push += LAST_KNEE.0;
     }
-    for bound in [from, to] {
-        if let Bound::Walking(walked) = bound {
-            // All prints of a chain point the same way.
-            for style in &mut styles {
-                style.foot_yaw = walked.walk.style().foot_yaw;
-            }
+    // All prints of a chain point the same way: as in the walks, whose usual style has one.
+    let walked = [from, to].into_iter().find_map(|bound| match bound {
+        Bound::Walking(walked) => Some(walked),
+        Bound::Running | Bound::Standing => None,
+    });
+    if let Some(walked) = walked {
+        for style in &mut styles {
+            style.foot_yaw = walked.walk.style().foot_yaw;
         }
     }
     styles

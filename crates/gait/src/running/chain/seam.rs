@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::body::posture::Posture;
 use crate::body::rotations;
-use crate::grid::{Ends, Grid, SECOND};
+use crate::grid::{Ends, Grid};
 use crate::limbs::jet::{LegJet, jets};
 use crate::limbs::stance::Stance;
 use crate::momentum::MomentumKernel;
@@ -96,11 +96,9 @@ impl Seam {
         let foot = body.leg.foot_length();
         let seen = |v: &Vector3<f64>| if side == 0 { *v } else { mirror(v) };
         let carrying = |i: usize| {
-            // Not at the ends, whose differences are none.
+            // The ends' differences are none.
             let i = i.clamp(3, count - 4);
-            let rise: Vector3<f64> =
-                (0..7).map(|k| com[i + k - 3] * (SECOND[k] / (180.0 * step * step))).sum();
-            let force = (rise + Vector3::y() * G) * body.mass;
+            let force = (grid.second(i, |j| com[j]) + Vector3::y() * G) * body.mass;
             let rate = grid.first(i, |j| momentum.angular[j]);
             let c = com[i];
             // (P − c) × F + T = Ḣ with P on the ground.
