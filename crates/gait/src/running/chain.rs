@@ -82,6 +82,15 @@ struct Pass {
     thorax: Vec<Euler>,
 }
 
+impl Pass {
+    /// Moves all of it back along z (m).
+    fn back(&mut self, by: f64) {
+        self.forces.iter_mut().for_each(|forces| forces.along -= by);
+        self.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= by);
+        self.legs.iter_mut().for_each(|leg| leg.back(by));
+    }
+}
+
 fn rows(all: &[Vector3<f64>]) -> Vec<[f64; 3]> {
     all.iter().map(|&row| row.into()).collect()
 }
@@ -180,9 +189,7 @@ impl Chain {
         let Some(mut pass) = last else { unreachable!("at least one pass") };
         // The first print that is shown is the origin, but where a walk has come before it.
         let first = seams[0].map_or(pass.forces[*schedule.shown_steps.start()].along, |_| 0.0);
-        pass.forces.iter_mut().for_each(|forces| forces.along -= first);
-        pass.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= first);
-        pass.legs.iter_mut().for_each(|leg| leg.back(first));
+        pass.back(first);
         let excess = (0..n).map(|i| {
             let force = grid.second(i, |j| pass.off[j]) * body.mass;
             [grid.first(i, |j| pass.momentum[j]) - pass.rate[i], force]
