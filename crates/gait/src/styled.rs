@@ -225,7 +225,9 @@ impl StyledPlan {
                 needed(figure, stride.motion(figure, rate)?)
             }
             Self::Run(plan) => {
-                let stride = plan.stride_loop().ok_or(PlanError::NoStride { least: 2 })?;
+                let none =
+                    if plan.changes() { PlanError::StepsDiffer } else { PlanError::NoStride { least: 2 } };
+                let stride = plan.stride_loop().ok_or(none)?;
                 lawful(figure, stride.balanced_motion(figure, rate)?, &stride)
             }
         }

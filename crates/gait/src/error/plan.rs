@@ -49,6 +49,10 @@ pub enum PlanError {
     TooSteep { step: usize, time: f64, what: String, nearest: String },
     #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
     NoPath,
+    #[error(
+        "no stride repeats itself where steps are not alike, as from standing, at other speeds or with a load in one hand"
+    )]
+    StepsDiffer,
     #[error("the walk has no stride that repeats itself; it needs {least} steps at least")]
     NoStride { least: usize },
 }

@@ -5,7 +5,7 @@ use solaris_gait::{
     CHANGING_RUN_STEPS, Extent, Prescribing, RUN_FRICTION, RunEnd, RunPart, RunPlan, RunRequest, StyledPlan,
     Walking, least_run_steps, measure, run,
 };
-use solaris_model::{Figure, Trajectory, Vector3, human};
+use solaris_model::{Figure, Human, Trajectory, Vector3, human};
 
 const STANDING: (RunEnd, RunEnd) = (RunEnd::Standing, RunEnd::Standing);
 const RUNNING: (RunEnd, RunEnd) = (RunEnd::Running, RunEnd::Running);
@@ -163,4 +163,23 @@ fn what_cannot_be_run_is_refused() {
     assert!(why.contains("it is planned whole, and has 60 at most"), "{why}");
     let distance = RunRequest { extent: Extent::Distance(20.0), ..request(2.0, 4, &[(4, 2.0)], RUNNING) };
     assert!(refused(distance).contains("say how many they are"));
+}
+
+/// No stride of somebody with a load in one hand is its own mirror image: the steps are planned one by one.
+#[test]
+fn whoever_carries_something_in_one_hand_runs_step_by_step() {
+    for (hand, load, request) in [
+        ("right", 5.0, request(3.0, 8, &[], RUNNING)),
+        ("left", 3.0, request(2.5, 14, &[], (RunEnd::Standing, RunEnd::Running))),
+    ] {
+        let figure = Human::new(1.75, 73.0).load(hand, load).build().expect("a person");
+        let plan = planned(&figure, &request);
+        assert!(plan.changes() && plan.stride_loop().is_none());
+        let styled = StyledPlan::Run(Box::new(plan.clone()));
+        let why = styled.loaded_stride(&figure, 30.0).map(|_| ()).expect_err("no stride").to_string();
+        assert!(why.contains("a load in one hand"), "{why}");
+        let [stance, flight] = off(&figure, &plan).map(|force| force / plan.weight());
+        println!("{load} kg in the {hand} hand: {stance:.4} and in flight {flight:.4} of the weight");
+        assert!(stance < 8e-2 && flight < 8e-2, "{load} kg in the {hand} hand: {stance} {flight}");
+    }
 }
