@@ -168,10 +168,9 @@ fn what_cannot_be_run_is_refused() {
 /// No stride of somebody with a load in one hand is its own mirror image: the steps are planned one by one.
 #[test]
 fn whoever_carries_something_in_one_hand_runs_step_by_step() {
-    for (hand, load, request) in [
-        ("right", 5.0, request(3.0, 8, &[], RUNNING)),
-        ("left", 3.0, request(2.5, 14, &[], (RunEnd::Standing, RunEnd::Running))),
-    ] {
+    for (hand, load, request) in
+        [("right", 5.0, request(3.0, 8, &[], RUNNING)), ("left", 3.0, request(2.5, 6, &[], RUNNING))]
+    {
         let figure = Human::new(1.75, 73.0).load(hand, load).build().expect("a person");
         let plan = planned(&figure, &request);
         assert!(plan.changes() && plan.stride_loop().is_none());

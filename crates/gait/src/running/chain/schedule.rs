@@ -33,9 +33,6 @@ const FIRST_RATE: f64 = 0.4;
 const LEAN: f64 = 8.0 * std::f64::consts::PI / 180.0;
 /// How far the first prints after standing or a walk, and the last ones before a walk, may lie beside the line (m).
 const ASIDE: [f64; 2] = [0.02, 0.01];
-/// Parts of a flight that the one out of a walk and the one into a walk last.
-const LAUNCHED: f64 = 0.5;
-const ARRIVES: f64 = 0.3;
 /// How long trunk and arms take from a walk's to a run's (s).
 const GOING_OVER: f64 = 0.5;
 
@@ -69,12 +66,14 @@ pub(in crate::running) struct Schedule {
 
 impl Schedule {
     /// Of steps at these speeds (m/s), of which the left foot's comes first or the right one's. Where it begins in standing the other foot
-    /// pushes off before the first of them, where it ends there one more step is made to stop.
+    /// pushes off before the first of them, where it ends there one more step is made to stop. Out of a walk and into one the flights last such parts of
+    /// a run's.
     pub(in crate::running) fn new(
         body: &Body,
         speeds: &[f64],
         (from, to): (&Bound, &Bound),
         left_first: bool,
+        [launched, arrives]: [f64; 2],
         resolution: RunResolution,
     ) -> Result<Self, ProfileError> {
         let stands = Stands { first: matches!(from, Bound::Standing), last: matches!(to, Bound::Standing) };
@@ -93,12 +92,12 @@ impl Schedule {
         let at_node = |time: f64| (time / step).round() * step;
         let launch = from.launch(body, step)?;
         let first = match &launch {
-            Some(launch) => launch.last + LAUNCHED * styles[0].flight_time(),
+            Some(launch) => launch.last + launched * styles[0].flight_time(),
             None if stands.first => begin.last + 0.6 * styles[0].flight_time(),
             None => 0.0,
         };
         // The flight into a walk is short.
-        let flight = |k: usize| if walks_on && k + 1 == n { ARRIVES } else { 1.0 } * styles[k].flight_time();
+        let flight = |k: usize| if walks_on && k + 1 == n { arrives } else { 1.0 } * styles[k].flight_time();
         let mut times = vec![at_node(first)];
         for (k, style) in styles.iter().enumerate() {
             times.push(at_node(times[k] + style.contact_time() + flight(k)));
