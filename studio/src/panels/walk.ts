@@ -13,6 +13,8 @@ import { type Asked, bodyOf, BODY, BOUNDS, DIFFERENCES, type Field, FIELDS, fiel
 const BODY_MASS_INDEX = 23.8;
 // How long a slider rests before it is found within which values it can be (ms).
 const REST = 500;
+// Steps of a walk where it is not said how many.
+const USUAL_STEPS = 10;
 // How many of these intervals are kept.
 const KNOWN = 100;
 
@@ -33,8 +35,8 @@ export interface WalkPanel {
 }
 
 export function makeWalkPanel(app: App): WalkPanel {
-  // Numbers that were not touched are what people do.
-  const asked: Asked = { words: { gait: 'walk', steps: 10 }, touched: new Map() };
+  // Numbers that were not touched are what people do, and as many steps as it takes.
+  const asked: Asked = { words: { gait: 'walk' }, touched: new Map() };
   const { words: said, touched } = asked;
   const size = { height: 1.75, mass: 73 };
   const who = (): Who => ({ ...size, ...bodyOf(asked) });
@@ -93,7 +95,7 @@ export function makeWalkPanel(app: App): WalkPanel {
       choose();
       moved(name);
     });
-  const steps = slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: 10, change: (value) => { said.steps = Math.round(value); moved('steps'); } });
+  const steps = slider({ label: 'Steps', unit: '', low: 2, high: 40, step: 1, value: USUAL_STEPS, change: (value) => { said.steps = Math.round(value); moved('steps'); } });
   const folded = (title: string, ...children: HTMLElement[]): HTMLElement => fold(title, false, ...children);
   const style = folded(
     'Style',
@@ -241,7 +243,7 @@ export function makeWalkPanel(app: App): WalkPanel {
       // As links said it that knew no other ground.
       if (touched.get('slope') && !said.on) said.on = 'slope';
       for (const name of ['height', 'mass'] as const) sliders.get(name)!.value = size[name];
-      steps.value = Number(said.steps);
+      steps.value = Number(said.steps ?? USUAL_STEPS);
       choices.forEach((select, name) => (select.value = String(said[name] ?? '')));
       choose();
     },
