@@ -31,7 +31,7 @@ const MORE_EXCESS: f64 = 3e-2;
 const FORCE_EXCESS: f64 = 0.08;
 /// Parts of a run's flight that the one out of a walk and the one into a walk last: the passes of a few requests in a hundred do not settle with the first
 /// ones.
-const FLIGHTS: [[f64; 2]; 4] = [[0.5, 0.45], [0.5, 0.3], [0.7, 0.6], [0.35, 0.45]];
+const FLIGHTS: [[f64; 2]; 4] = [[0.5, 0.3], [0.5, 0.45], [0.7, 0.6], [0.35, 0.45]];
 /// Steps that a walk is planned on after the one that a run leaves: its last ones differ from the others.
 const WALKED_ON: usize = 5;
 /// Instants of a stride that are looked at.
