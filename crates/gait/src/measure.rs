@@ -164,7 +164,7 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
         extremes: WalkExtremes::of(figure, motion, &series),
         joints: joints.peaks(&series),
         // A run's stride has other measures.
-        steady: if double_supports.is_empty() || flies(motion, &contacts) {
+        steady: if double_supports.is_empty() || flies(motion) {
             None
         } else {
             SteadyStride::find(motion, &series, &joints, &contacts)
@@ -268,16 +268,28 @@ fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
 }
 
 /// Whether both feet are in the air somewhere: the other foot lifts before one lands.
-fn flies(motion: &Motion, contacts: &[(f64, usize)]) -> bool {
-    contacts.iter().any(|&(contact, side)| {
-        let before = motion.events.iter().take_while(|event| event.time < contact - SAME_TIME);
-        let of_other = before.filter_map(|event| match &event.kind {
-            EventKind::TouchDown { link } => (link == FEET[1 - side]).then_some(false),
-            EventKind::LiftOff { link } => (link == FEET[1 - side]).then_some(true),
-            _ => None,
-        });
-        of_other.last().unwrap_or(false)
-    })
+fn flies(motion: &Motion) -> bool {
+    // When each foot has lifted, where it is in the air.
+    let mut lifted: [Option<f64>; 2] = [None; 2];
+    for event in &motion.events {
+        let side = |link: &String| FEET.iter().position(|foot| foot == link);
+        match &event.kind {
+            EventKind::LiftOff { link } => {
+                if let Some(side) = side(link) {
+                    lifted[side] = Some(event.time);
+                }
+            }
+            EventKind::TouchDown { link } => {
+                let Some(side) = side(link) else { continue };
+                if lifted[1 - side].is_some_and(|time| time < event.time - SAME_TIME) {
+                    return true;
+                }
+                lifted[side] = None;
+            }
+            _ => {}
+        }
+    }
+    false
 }
 
 /// From each contact but the closing one to the next lift-off, in % of the stride that the two contacts around it make.

@@ -35,10 +35,9 @@ fn beside(walk: Option<f64>) -> f64 {
 
 /// The same for the speeds of the first and of the last step, where it does not begin or end in full run.
 fn least(speed: f64, ends: [Option<f64>; 2]) -> usize {
-    let ramp = |slow: f64| {
-        let ramp = (0..).map(|k| rising(slow, k)).take_while(|risen| *risen < speed - 1e-9);
-        ramp.count()
-    };
+    // A speed that is out of range is refused elsewhere.
+    let speed = if speed > RUN_SPEED.1 { RUN_SPEED.1 } else { speed };
+    let ramp = |slow: f64| (0..).take_while(|&k| rising(slow, k) < speed - 1e-9).count();
     1 + ends.into_iter().flatten().map(ramp).sum::<usize>()
 }
 

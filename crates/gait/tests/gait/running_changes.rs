@@ -148,6 +148,15 @@ fn its_speed_is_what_is_asked() {
     assert!((step(21) / wanted(3.0) - 1.0).abs() < 0.02, "{} {}", step(21), wanted(3.0));
 }
 
+/// How many steps are enough is told of speeds that no run has, too.
+#[test]
+fn steps_are_counted_for_any_speed() {
+    let of = |speed: f64| least_run_steps(speed, RunEnd::Standing, RunEnd::Running);
+    assert_eq!(of(f64::INFINITY), of(6.0));
+    assert_eq!(of(1e12), of(6.0));
+    assert_eq!([of(f64::NAN), of(-1.0), of(1.0)], [1; 3]);
+}
+
 #[test]
 fn what_cannot_be_run_is_refused() {
     let figure = human(1.75, 73.0).expect("a person");
