@@ -35,9 +35,8 @@ fn beside(walk: Option<f64>) -> f64 {
 
 /// The same for the speeds of the first and of the last step, where it does not begin or end in full run.
 fn least(speed: f64, ends: [Option<f64>; 2]) -> usize {
-    // A speed that is out of range is refused elsewhere.
-    let speed = if speed > RUN_SPEED.1 { RUN_SPEED.1 } else { speed };
-    let ramp = |slow: f64| (0..).take_while(|&k| rising(slow, k) < speed - 1e-9).count();
+    // A speed that is out of range, which more steps than a run may have do not reach, is refused elsewhere.
+    let ramp = |slow: f64| (0..CHANGING_RUN_STEPS).take_while(|&k| rising(slow, k) < speed - 1e-9).count();
     1 + ends.into_iter().flatten().map(ramp).sum::<usize>()
 }
 
