@@ -3,6 +3,7 @@
 mod analysis;
 mod arrays;
 mod arrow;
+mod chair;
 mod dynamics;
 mod errors;
 mod figure;
@@ -25,6 +26,8 @@ mod _solaris {
     use crate::analysis::{
         Ground, Inverse, Kinematics, differentiate, ground_forces, inverse_dynamics, inverse_kinematics,
     };
+    #[pymodule_export]
+    use crate::chair::{Chair, chair};
     #[pymodule_export]
     use crate::dynamics::Dynamics;
     #[pymodule_export]

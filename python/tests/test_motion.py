@@ -134,6 +134,28 @@ def test_markers_to_angles():
     assert set(found.marker_rms) and np.isfinite(found.frame_rms).all()
 
 
+def test_somebody_stands_up_and_sits_down():
+    rise = solaris.chair(height=1.65, mass=58.0, seat_height=0.42)
+    seat = rise.motion.contacts["pelvis"]["force"][:, 1]
+    weight = 58.0 * 9.80665
+    assert rise.seat_height == 0.42 and 0.5 * weight < seat[0] < weight and seat[-1] == 0.0
+    assert len(rise.measures["left_s"]) == 1 and rise.measures["met_s"] == []
+    feet = sum(rise.motion.contacts[foot]["force"][-1, 1] for foot in ("left_foot", "right_foot"))
+    assert feet == pytest.approx(weight, rel=1e-6)
+    both = solaris.chair(motion="rise_and_sit", times=2, rate=60)
+    assert np.allclose(both.motion.q[0], both.motion.q[-1], atol=1e-9)
+    assert len(both.measures["met_s"]) == 2
+    for wrong, message in [
+        ({"motion": "lie"}, "'rise', 'sit' or 'rise_and_sit'"),
+        ({"times": 3}, "'rise_and_sit' alone"),
+        ({"seat_height": 3.0}, "0.332 to 0.63 m"),
+        ({"motion": "rise_and_sit", "times": 0}, "1 to 100"),
+    ]:
+        with pytest.raises(ValueError) as raised:
+            solaris.chair(**wrong)
+        assert message in str(raised.value)
+
+
 def test_walks_of_all_kinds():
     assert solaris.walk(slope=np.radians(5.0), steps=4).motion.q[-1, 1] > 0.1
     assert solaris.walk(stairs={"count": 3}).motion.q[-1, 1] > 0.3 + 0.3

@@ -1,5 +1,6 @@
 //! The commands, and what each of them is asked: one struct a command, parsed once, here.
 
+mod chair;
 mod crowd;
 mod figure;
 mod gait;
@@ -22,6 +23,7 @@ mod sweep;
 mod value;
 mod walk;
 
+pub(crate) use chair::ChairArgs;
 pub(crate) use crowd::{CrowdArgs, CrowdFormat, MOST_IN_ONE, PLACES};
 pub(crate) use figure::{BonesArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
@@ -48,8 +50,8 @@ pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
-    DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs,
-    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, WalkArgs, WalkFiles, WhoArgs,
+    DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, MotionFiles,
+    PaceArgs, PersonArgs, RootLink, RunBound, Side, StyleName, TerrainArgs, Then, WalkArgs, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -92,6 +94,7 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Walk(Box<WalkArgs>),
+    Chair(Box<ChairArgs>),
     Sweep(SweepArgs),
     Crowd(CrowdArgs),
     Run(RunArgs),

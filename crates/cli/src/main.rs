@@ -4,6 +4,7 @@
 
 mod animation;
 mod args;
+mod chair;
 mod check;
 mod convert;
 mod crowd;
@@ -25,6 +26,7 @@ mod manual;
 mod markers;
 mod metrics;
 mod output;
+mod planned_files;
 mod plausible;
 mod pool;
 mod print;
@@ -39,6 +41,7 @@ mod shown;
 mod studio;
 mod subject;
 mod sweep;
+mod table;
 mod underline;
 mod walk;
 mod words;
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Result<(), CliError> {
     match command {
         Command::Walk(args) => walk::run(args),
+        Command::Chair(args) => chair::run(args),
         Command::Sweep(args) => sweep::run(args),
         Command::Crowd(args) => crowd::run(args),
         Command::Run(args) => run::run(args),

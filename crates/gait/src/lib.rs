@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < asked < people < sweep < crowd < set
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < chair < running < live < comparison < styled < asked < people < sweep < crowd < set
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -15,12 +15,14 @@
 //! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
 //! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
+//! - `chair`: standing up from a seat and sitting down.
 //! - `live`: a walker that is steered while it walks.
 //! - `asked`: a walk or a run as plain data.
 //! - `comparison`, `styled`, `people`, `sweep`, `crowd`, `set`: what needs both walkers or all of this.
 
 mod asked;
 mod body;
+mod chair;
 mod comparison;
 mod condition;
 pub mod crowd;
@@ -46,21 +48,24 @@ pub use asked::{
     StairOptions, stages,
 };
 pub use body::{FEET, LegGeometry, missing_for_walking};
+pub use chair::{ChairPlan, chair};
 pub use comparison::PostureComparison;
 pub use error::{
     BodyError, GaitError, LiveError, MapError, MeasureError, PlanError, PostureError, RequestError,
 };
 pub use live::{Bent, Command, Walker};
 pub use measure::{
-    Band, BandCheck, BandReport, BeyondRange, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, RUN_BANDS,
-    RunBand, SteadyRun, SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures, band_reports, check_bands,
-    free_moment, isolated_peaks, measure, measure_run, measure_stride, run_bands,
+    Band, BandCheck, BandReport, BeyondRange, ChairMeasures, IsolatedPeak, JointPeaks, JointRange, Peak,
+    RECIPE_BANDS, RUN_BANDS, RunBand, SteadyRun, SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures,
+    band_reports, check_bands, free_moment, isolated_peaks, measure, measure_chair, measure_run,
+    measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_RUN_STEPS, CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, Foothold,
-    MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk,
-    SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL,
-    Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
+    CHAIR_TIMES, CHANGING_RUN_STEPS, CHANGING_STEPS, ChairMotion, ChairRequest, Change, DEFAULT_RUN_SPEED,
+    DEFAULT_STEP_FREQUENCY, Extent, Foothold, MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd,
+    RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS,
+    Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath,
+    WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{

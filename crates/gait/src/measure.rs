@@ -3,6 +3,7 @@
 //! Nothing here knows the plan. The motion must carry its events, planted points, ground reactions and joint forces.
 
 mod bands;
+mod chair;
 mod feet;
 mod isolated;
 mod joints;
@@ -14,6 +15,7 @@ mod steady_run;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, BandReport, RECIPE_BANDS, TEXTBOOK_BANDS, band_reports, check_bands};
+pub use chair::{ChairMeasures, JointRange, measure_chair};
 pub use isolated::{IsolatedPeak, isolated_peaks};
 pub use range::BeyondRange;
 pub use solaris_analysis::Peak;

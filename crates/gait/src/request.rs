@@ -1,5 +1,6 @@
 //! Requests: how far to walk or run, at which pace, planned how finely.
 
+pub(crate) mod chair;
 mod ground;
 pub(crate) mod pace;
 pub(crate) mod path;
@@ -10,6 +11,7 @@ pub(crate) mod sheet;
 pub(crate) mod variability;
 mod walk;
 
+pub use chair::{CHAIR_TIMES, ChairMotion, ChairRequest};
 pub use ground::{Foothold, STAIR_COUNT, Stairs, WalkGround};
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
 pub use path::WalkPath;

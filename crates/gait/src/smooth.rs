@@ -45,5 +45,5 @@ pub use stride::StridePlan;
 pub use style::{PelvicList, Style, StyleTable};
 pub(crate) use walk::Standing;
 pub use walk::{WalkNumbers, WalkPlan};
-pub(crate) use walker::{has_more_steps, judged, styled};
+pub(crate) use walker::{has_more_steps, judged, standing_style, styled};
 pub use walker::{walk, walk_in_part};

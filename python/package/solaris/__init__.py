@@ -11,6 +11,7 @@ True
 """
 
 from ._solaris import (
+    Chair,
     Dynamics,
     Figure,
     Ground,
@@ -24,6 +25,7 @@ from ._solaris import (
     Subject,
     Walk,
     Walker,
+    chair,
     differentiate,
     ground_forces,
     human,
@@ -58,6 +60,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "ArgumentError",
+    "Chair",
     "Dynamics",
     "DynamicsError",
     "Fault",
@@ -81,6 +84,7 @@ __all__ = [
     "Walk",
     "WalkError",
     "Walker",
+    "chair",
     "differentiate",
     "ground_forces",
     "human",

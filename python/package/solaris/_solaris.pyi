@@ -15,6 +15,8 @@ __all__ = [
     "ground_forces",
     "inverse_dynamics",
     "inverse_kinematics",
+    "Chair",
+    "chair",
     "Dynamics",
     "Figure",
     "human",
@@ -219,6 +221,20 @@ class Walk:
     @property
     def measures(self) -> dict[str, Any]: ...
     def configuration(self, time: float) -> _Array: ...
+    def save(self, path: _Path, *, arrows: bool = False) -> None: ...
+
+@final
+class Chair:
+    @property
+    def figure(self) -> Figure: ...
+    @property
+    def motion(self) -> Motion: ...
+    @property
+    def seat_height(self) -> float: ...
+    @property
+    def duration(self) -> float: ...
+    @property
+    def measures(self) -> dict[str, Any]: ...
     def save(self, path: _Path, *, arrows: bool = False) -> None: ...
 
 @final
@@ -478,6 +494,19 @@ def run_gait(
     loop: Optional[Literal["moving", "in_place"]] = None,
     rate: Optional[float] = None,
 ) -> Walk: ...
+def chair(
+    figure: Optional[Figure] = None,
+    *,
+    height: float = 1.75,
+    mass: Optional[float] = None,
+    age: Optional[float] = None,
+    motion: Literal["rise", "sit", "rise_and_sit"] = "rise",
+    times: int = 1,
+    seat_height: Optional[float] = None,
+    duration: Optional[float] = None,
+    shank: Optional[float] = None,
+    rate: Optional[float] = None,
+) -> Chair: ...
 def style_parameters() -> dict[str, _StyleParameter]: ...
 def manners() -> tuple[list[str], list[str]]: ...
 def people_curves(pace: Literal["very slow", "slow", "free", "fast", "very fast"] = "free") -> dict[str, _Curve]: ...

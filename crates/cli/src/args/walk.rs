@@ -56,7 +56,7 @@ const EXAMPLES: &str = "Examples:
 #[command(about = "A person walks: from standing, some steps, to standing", after_help = EXAMPLES)]
 pub(crate) struct WalkArgs {
     #[command(flatten)]
-    pub(crate) files: WalkFiles,
+    pub(crate) files: MotionFiles,
     #[command(flatten, next_help_heading = "The person")]
     pub(crate) who: WhoArgs,
     #[command(flatten, next_help_heading = "The walk")]
@@ -77,14 +77,14 @@ pub(crate) struct WalkArgs {
 
 /// Where to write what.
 #[derive(Debug, Args)]
-pub(crate) struct WalkFiles {
+pub(crate) struct MotionFiles {
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
         "Write the motion: .html page, .csv table, .bvh motion capture, .glb or .usda body and animation, .svg film strip of twelve pictures; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
-    #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]
+    #[arg(long, value_name = "FILE.json", help = "Write its numbers as JSON [default: none]")]
     pub(crate) report: Option<PathBuf>,
-    #[arg(long, help = "Print the numbers of the walk as JSON instead of a table")]
+    #[arg(long, help = "Print its numbers as JSON instead of a table")]
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) bones: RigArgs,

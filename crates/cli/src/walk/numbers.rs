@@ -1,16 +1,11 @@
 //! Numbers as people read them.
 
+use crate::table::fixed;
+
 /// At most four decimals, and no zeros at the end: `110`, `72.8875`.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let text = fixed(value, 4);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// So many decimals; a rounded zero has no sign.
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let is_zero = !text.bytes().any(|byte| matches!(byte, b'1'..=b'9'));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
 }
 
 /// Decimals enough to see on which side of its band a value lies: 13.01 beside 9 to 13.

@@ -4,6 +4,7 @@ use super::request::Asked;
 use super::told::{BesideKeyPostures, Forces, KeyPostures};
 use crate::args::{Loop, RATE, RootLink, WalkArgs};
 use crate::error::CliError;
+use crate::planned_files::check_size;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
@@ -88,7 +89,7 @@ impl Planned {
             plan = plan_of(figure, &request).map_err(refuse)?;
         }
         let planning = start.elapsed();
-        super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
+        check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
         progress.stage("finding the forces");
         let found = match looped {
             None => plan.loaded(figure, rate),

@@ -1,27 +1,16 @@
 //! The table that a walk prints, and the one on its page.
 
-use super::numbers::{beside, fixed, short, wrapped};
+use super::numbers::{beside, short, wrapped};
 use super::report::Report;
 use super::told::{BesideKeyPostures, KeyPostures};
 use crate::limbs;
+use crate::table::{Row, at, fixed, joint_rows, lines, on_page, pair, row};
 use solaris::gait::{BandCheck, BandReport, Peak, PostureComparison};
 use solaris::view::TableRow;
 use std::fmt::Write;
 
 /// Columns of the lists of bands.
 const WIDTH: usize = 100;
-
-/// One line: what, how much, unit, and what to hold it against.
-struct Row {
-    label: &'static str,
-    value: String,
-    unit: &'static str,
-    note: String,
-}
-
-fn row(label: &'static str, value: impl Into<String>, unit: &'static str, note: impl Into<String>) -> Row {
-    Row { label, value: value.into(), unit, note: note.into() }
-}
 
 /// A title for the page.
 pub(super) fn title(report: &Report) -> String {
@@ -65,7 +54,7 @@ pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
     }));
     all.extend(trust_rows(report));
     all.extend(report.notes.iter().map(|note| row("note", "", "", note)));
-    all.iter().map(|r| TableRow::new(r.label, &r.value, r.unit, &r.note)).collect()
+    on_page(&all)
 }
 
 /// The table as it is printed.
@@ -113,29 +102,14 @@ pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> S
     text
 }
 
-fn lines(rows: &[Row]) -> String {
-    let line = |Row { label, value, unit, note }: &Row| {
-        // A long label leaves less to its value.
-        let room = 41 - label.chars().count().min(40);
-        let line = format!("  {label}{value:>room$} {unit:<9} {note}");
-        line.trim_end().to_owned() + "\n"
-    };
-    rows.iter().map(line).collect()
-}
-
 /// A number that means nothing beyond a bound.
 fn capped(value: f64, decimals: usize, most: f64) -> String {
     if value > most { format!("over {most}") } else { fixed(value, decimals) }
 }
 
-fn at(peak: Peak) -> String {
-    format!("at {:.2} s", peak.time)
-}
-
 /// The whole walk.
 fn walk_rows(report: &Report) -> Vec<Row> {
     let (walk, whole) = (&report.walk, &report.whole_walk.extremes);
-    let pair = |a: Peak, b: Peak, d: usize| format!("{} / {}", fixed(a.value, d), fixed(b.value, d));
     let millimetres = |peak: Peak, decimals| fixed(1e3 * peak.value, decimals);
     let people = walk.step_length_over_peoples.map_or_else(String::new, |ratio| {
         let part = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
@@ -185,15 +159,7 @@ fn walk_rows(report: &Report) -> Vec<Row> {
             .iter()
             .map(|near| row("nearest limbs", limbs::millimetres(near), "mm", limbs::note(near))),
     );
-    for joint in &report.whole_walk.joints {
-        let (moment, power, names) = match joint.joint {
-            "hip" => ("hip moment, peaks", "hip power, peaks", "extensor / flexor"),
-            "knee" => ("knee moment, peaks", "knee power, peaks", "extensor / flexor"),
-            _ => ("ankle moment, peaks", "ankle power, peaks", "plantarflexor / dorsiflexor"),
-        };
-        rows.push(row(moment, pair(joint.extension, joint.flexion, 2), "N m/kg", names));
-        rows.push(row(power, pair(joint.generated, joint.absorbed, 2), "W/kg", "generated / absorbed"));
-    }
+    rows.extend(joint_rows(&report.whole_walk.joints));
     rows
 }
 

@@ -3,7 +3,7 @@
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
 use crate::measure::{Peak, extremes};
-use crate::request::pace::tidy;
+use crate::request::pace::{Pace, tidy};
 use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
@@ -41,6 +41,8 @@ const FAST: f64 = 118.0;
 const RATE: f64 = 120.0;
 /// How often one that deviates is (1/s): what a foot that lands too flat presses beside its heel lasts for 3 ms.
 const FINE_RATE: f64 = 240.0;
+/// The same of somebody of unusual height (1/s).
+pub(super) const FINER_RATE: f64 = 480.0;
 /// A knee that comes nearer to being straight than this (rad) has accelerations without bound for a few milliseconds, and how often it is
 /// looked at (1/s).
 const NEARLY_STRAIGHT: f64 = DEGREE;
@@ -63,6 +65,12 @@ pub(crate) struct PlanCheck<'a> {
     pub(crate) legs_differ: bool,
     /// How often its motion is looked at, at least (1/s).
     pub(crate) least_rate: f64,
+}
+
+/// Why steps of a pace cannot be walked.
+pub(super) fn not_walkable(pace: Pace, what: &impl ToString) -> PlanError {
+    let Pace { step_length, step_frequency } = pace;
+    PlanError::NotWalkable { step_length, step_frequency: tidy(step_frequency), what: what.to_string() }
 }
 
 impl PlanCheck<'_> {
@@ -168,7 +176,7 @@ impl PlanCheck<'_> {
         let mut motion = plan.motion(self.figure, rate.max(self.least_rate))?;
         let reactions = ground_reactions(self.figure, &mut motion, FEET, plan);
         let reactions = reactions.map_err(|error| match error {
-            ReactionError::Pulls { time, .. } if !self.route.is_level() => self.refusal(
+            ReactionError::Pulls { time, .. } => self.refusal(
                 plan,
                 plan.clock_at(time),
                 "the ground would have to pull at the feet".to_owned(),
@@ -263,9 +271,7 @@ impl PlanCheck<'_> {
             return PlanError::TooSteep { step, time: plan.time(clock), what, nearest }.into();
         }
         if self.route.is_even() {
-            let pace = self.route.pace();
-            let (step_length, step_frequency) = (pace.step_length, tidy(pace.step_frequency));
-            return PlanError::NotWalkable { step_length, step_frequency, what }.into();
+            return not_walkable(self.route.pace(), &what).into();
         }
         let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
         PlanError::AbruptChange { part: self.route.part_of(step), step, time: plan.time(clock), what }.into()

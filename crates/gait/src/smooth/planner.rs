@@ -5,7 +5,7 @@ use crate::error::{GaitError, PlanError};
 use crate::request::pace::{Pace, STEP_FREQUENCY};
 use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
-use crate::smooth::plan_check::{FINEST_RATE, PlanCheck};
+use crate::smooth::plan_check::{FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
 use crate::smooth::route::Route;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
@@ -64,6 +64,14 @@ fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> 
     }
 }
 
+/// Statures (m) of which plain walks of every pace were looked at; those of others are judged one by one.
+const USUAL: (f64, f64) = (1.45, 2.0);
+
+/// Whether somebody is smaller or taller than those whom the laws were tried with.
+pub(super) fn is_unusual(body: &Body) -> bool {
+    !(USUAL.0..=USUAL.1).contains(&body.height)
+}
+
 /// Plans walks of a body that stands as after another walk; what does not hold is refused without advice.
 pub(super) struct Planner<'a> {
     figure: &'a Figure,
@@ -87,8 +95,17 @@ impl<'a> Planner<'a> {
 
     /// The style of its steady steps.
     pub(super) fn style(&self, request: &WalkRequest) -> Result<Style, GaitError> {
+        self.style_of(request, true)
+    }
+
+    /// That in which its feet stand before it, at no more than [`super::ends::ENDS`].
+    pub(super) fn standing_style(&self, request: &WalkRequest) -> Result<Style, GaitError> {
+        self.style_of(request, false)
+    }
+
+    fn style_of(&self, request: &WalkRequest, steady: bool) -> Result<Style, GaitError> {
         let pace = self.route(request, 1.0)?.level_pace();
-        Ok(Styling::of(request, self.body, 1.0).style(self.body, &Gone { pace, steady: true })?)
+        Ok(Styling::of(request, self.body, 1.0).style(self.body, &Gone { pace, steady })?)
     }
 
     /// A request with a part of its manner.
@@ -196,12 +213,20 @@ impl<'a> Planner<'a> {
         let planned = |route: &Route| {
             route.plan(self.body, self.standing, &styling, numbers, request.left_first, request.resolution)
         };
-        let plan = planned(route)?;
+        let plan = planned(route).map_err(|error| match error {
+            // Laws of people of usual height that leave no room for one another.
+            GaitError::Profile(why) if is_unusual(self.body) => not_walkable(route.pace(), &why).into(),
+            error => error,
+        })?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let has_steady = has_steady && route.is_level();
         let legs_differ = legs_differ(self.body);
-        // In reversed time samples fall between those of the walk forward.
-        let least_rate = if styling.backward && !route.is_level() { FINEST_RATE } else { 0.0 };
+        // In reversed time samples fall between those of the walk forward; legs that are nearly straight beside their feet last for some milliseconds.
+        let least_rate = match (styling.backward && !route.is_level(), is_unusual(self.body)) {
+            (true, _) => FINEST_RATE,
+            (false, true) => FINER_RATE,
+            (false, false) => 0.0,
+        };
         let check = PlanCheck {
             figure: self.figure,
             route,
@@ -220,7 +245,7 @@ impl<'a> Planner<'a> {
         let plan = sided(plan);
         if deviates || !route.is_even() || !route.is_level() {
             check.check_motion(&plan)?;
-        } else if !request.parameters.is_empty() {
+        } else if !request.parameters.is_empty() || is_unusual(self.body) {
             // A few of many steps decide.
             let short = if route.is_long() { Some(sided(planned(&route.shortened())?)) } else { None };
             check.check_motion(short.as_ref().unwrap_or(&plan))?;

@@ -7,9 +7,11 @@ use crate::request::{Extent, STEP_FREQUENCY, Variability, WalkGround, WalkReques
 use crate::smooth::backward::either_way;
 use crate::smooth::lopsided::is_lopsided;
 use crate::smooth::options;
-use crate::smooth::planner::Planner;
+use crate::smooth::plan_check::PlanCheck;
+use crate::smooth::planner::{Planner, is_unusual};
 use crate::smooth::route::{DECIDE, Route};
 use crate::smooth::style::Style;
+use crate::smooth::styling::Styling;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
 use std::borrow::Cow;
@@ -77,10 +79,14 @@ fn forward_from(
             let request = WalkRequest { parameters: options.to_vec(), ..request.clone() };
             planner.planned_on(&request, part, route).is_ok()
         };
-        Err(match options::advise(error, &route, body, &request.parameters, holds) {
-            error @ GaitError::Plan(PlanError::Options { .. }) => error,
-            error => advise(error, &route, |route| planner.planned_on(request, part, route).is_ok()),
-        })
+        let error = options::advise(error, &route, body, &request.parameters, holds);
+        if !is_unusual(body) || request.step_length.is_some() {
+            return Err(advise(error, &route, |route| planner.planned_on(request, part, route).is_ok()));
+        }
+        let tempo = Styling::of(request, body, part).law.tempo;
+        Err(advise_on_pace(error, (body.height, tempo), request, |other| {
+            planner.planned(other, part).is_ok()
+        }))
     };
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
@@ -164,6 +170,15 @@ pub(crate) fn styled(figure: &Figure, body: &Body, request: &WalkRequest) -> Res
     Planner::after(figure, body, None).style(request)
 }
 
+/// The style in which somebody stands before a walk at people's pace.
+///
+/// # Errors
+///
+/// As [`styled`].
+pub(crate) fn standing_style(figure: &Figure, body: &Body) -> Result<Style, GaitError> {
+    Planner::after(figure, body, None).standing_style(&WalkRequest::default())
+}
+
 /// By how much a slope is made gentler (rad), and a pace slower or faster (steps/min), to find one that holds, and how often.
 const GENTLER: (f64, i32) = (std::f64::consts::PI / 180.0, 6);
 const OTHER_PACE: (f64, i32) = (5.0, 4);
@@ -196,6 +211,42 @@ fn advise_on_ground(
     };
     let nearest = gentler().or_else(paced).unwrap_or(nearest);
     PlanError::TooSteep { step, time, what, nearest }.into()
+}
+
+/// How far from the pace that was asked for others are tried for somebody of unusual height (steps/min), and in which steps.
+const OTHER_PACES: (f64, i32) = (2.0, 30);
+
+/// Says at which pace the walk of somebody of unusual height (m), whose step frequencies are so many times an adult's, holds.
+fn advise_on_pace(
+    error: GaitError,
+    (height, tempo): (f64, f64),
+    request: &WalkRequest,
+    holds: impl Fn(&WalkRequest) -> bool,
+) -> GaitError {
+    let (step_frequency, what) = match error {
+        GaitError::Plan(PlanError::NotWalkable { step_frequency, what, .. }) => (step_frequency, what),
+        GaitError::Plan(PlanError::Friction { step_frequency, whose, friction, limit, .. }) => {
+            (step_frequency, PlanCheck::friction(whose, friction, limit))
+        }
+        error => return error,
+    };
+    let extent = match request.extent {
+        Extent::Steps(steps) if steps > DECIDE => Extent::Steps(DECIDE),
+        extent => extent,
+    };
+    let paces = (1..=OTHER_PACES.1)
+        .flat_map(|k| [-k, k])
+        .map(|k| step_frequency.round() + f64::from(k) * OTHER_PACES.0);
+    let range = STEP_FREQUENCY.0 * tempo..=STEP_FREQUENCY.1 * tempo;
+    let found = paces.filter(|pace| range.contains(pace)).find(|pace| {
+        let (step_length, speed) = (None, None);
+        holds(&WalkRequest { step_frequency: Some(*pace), step_length, speed, extent, ..request.clone() })
+    });
+    let nearest = match found {
+        Some(pace) => format!("the nearest pace that holds is {pace} steps/min"),
+        None => "no pace near to it holds".to_owned(),
+    };
+    PlanError::Pace { height, step_frequency, what, nearest }.into()
 }
 
 /// Says where on a path the walk does not hold, and the next slower step frequency at which it does.

@@ -4,6 +4,7 @@
 mod anywhere;
 mod asked;
 mod backward;
+mod chair;
 mod changes;
 mod changes_random;
 mod comparison;
@@ -51,6 +52,7 @@ mod running_changes;
 mod running_walks;
 mod sequence;
 mod set;
+mod small_and_tall;
 mod smooth_laws;
 mod stride_loop;
 mod support;
