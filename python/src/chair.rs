@@ -27,7 +27,7 @@ pub(crate) struct Chair {
 /// Who: a `figure` with the segments of a human, or a person of this `height` (m), `mass` (kg) and `age` (years).
 ///
 /// `motion` is `"rise"`, `"sit"` or `"rise_and_sit"`, the last so many `times`. `seat_height` (m) is 0.257 of the standing height where it is left out,
-/// `duration` how long one way takes (s, 1.9 at 1.75 m), `shank` how far the shanks lean forward in sitting (rad, 15°). `rate` is in samples a
+/// `duration` how long one way takes (s, 1.9 at 1.75 m; 0.4 s go by at rest before, between and after), `shank` how far the shanks lean forward in sitting (rad, 15°). `rate` is in samples a
 /// second (120).
 ///
 /// >>> import solaris
@@ -105,7 +105,13 @@ impl Chair {
         self.plan.seat()
     }
 
-    /// How long it lasts (s).
+    /// How long one way takes, up or down (s).
+    #[getter]
+    fn one_way(&self) -> f64 {
+        self.plan.one_way()
+    }
+
+    /// How long it lasts, with the moments of rest (s).
     #[getter]
     fn duration(&self) -> f64 {
         self.plan.duration()

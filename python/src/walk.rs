@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 use serde_json::Value;
 use solaris::gait::people::{PACES, curves};
 use solaris::gait::{
-    GaitError, GaitKind, GaitOptions, MANNERS, PARAMETERS, PartOptions, Repeats, RunWalkOptions,
-    SIDE_MANNERS, ShippedManner, StairOptions, StyledPlan,
+    GaitError, GaitKind, GaitOptions, MANNERS, PARAMETERS, PartOptions, Repeats, RunEndOptions,
+    RunWalkOptions, SIDE_MANNERS, ShippedManner, StairOptions, StyledPlan,
 };
 use solaris::model::Trajectory as _;
 use std::collections::BTreeMap;
@@ -131,8 +131,8 @@ pub(crate) enum End<'py> {
 
 /// Plans a run of 1 to 6 m/s, with its forces.
 ///
-/// `start` and `end` are `"running"` (the default), `"standing"`, `"walking"`, or a dictionary with the walk's `steps` and `speed`; `then` is a list of dictionaries with the keys `steps` and `speed`. The rest is as
-/// for `walk`.
+/// `start` and `end` are `"running"` (the default), `"standing"`, `"walking"`, or a dictionary with the walk's `steps` and `speed`; `then` is a list of dictionaries with the keys `steps` and `speed`. `forefoot` lands on the ball of the
+/// foot, up to 3.5 m/s and in full run alone. The rest is as for `walk`.
 ///
 /// >>> import solaris
 /// >>> run = solaris.run_gait(speed=3.5, steps=6)
@@ -145,7 +145,7 @@ pub(crate) enum End<'py> {
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start=None,
-    end=None, left_first=false, r#loop=None, rate=None
+    end=None, forefoot=false, left_first=false, r#loop=None, rate=None
 ))]
 pub(crate) fn run_gait(
     py: Python<'_>,
@@ -159,16 +159,17 @@ pub(crate) fn run_gait(
     then: Option<Vec<Bound<'_, PyDict>>>,
     start: Option<End<'_>>,
     end: Option<End<'_>>,
+    forefoot: bool,
     left_first: bool,
     r#loop: Option<&str>,
     rate: Option<f64>,
 ) -> PyResult<Walk> {
     let bound = |name: &str, given: Option<End<'_>>| match given {
-        None => Ok((false, None)),
+        None => Ok(RunEndOptions::Running),
         Some(End::How(how)) => match how.as_str() {
-            "running" => Ok((false, None)),
-            "standing" => Ok((true, None)),
-            "walking" => Ok((false, Some(RunWalkOptions::default()))),
+            "running" => Ok(RunEndOptions::Running),
+            "standing" => Ok(RunEndOptions::Standing),
+            "walking" => Ok(RunEndOptions::Walking(RunWalkOptions::default())),
             other => {
                 let why = format!(
                     "{name} is '{other}'; it must be 'running', 'standing' or 'walking', or a dictionary of a walk's steps and speed"
@@ -178,23 +179,19 @@ pub(crate) fn run_gait(
         },
         Some(End::Walk(given)) => {
             keys(name, &given, &["steps", "speed"])?;
-            let walk =
-                RunWalkOptions { steps: counted(name, &given, "steps")?, speed: get(&given, "speed")? };
-            Ok((false, Some(walk)))
+            let (steps, speed) = (counted(name, &given, "steps")?, get(&given, "speed")?);
+            Ok(RunEndOptions::Walking(RunWalkOptions { steps, speed }))
         }
     };
-    let (from_standing, from_walking) = bound("start", start)?;
-    let (to_standing, to_walking) = bound("end", end)?;
     let options = GaitOptions {
         gait: GaitKind::Run,
         speed: Some(speed),
         steps: steps.map(|steps| count("steps", steps)).transpose()?,
         distance,
         then: then.unwrap_or_default().iter().map(part).collect::<PyResult<_>>()?,
-        from_standing,
-        to_standing,
-        from_walking,
-        to_walking,
+        forefoot,
+        from: bound("start", start)?,
+        to: bound("end", end)?,
         left_first: Some(left_first),
         repeats: looped(r#loop)?,
         rate,

@@ -168,6 +168,8 @@ def test_walks_of_all_kinds():
     assert abs(np.ptp(loop.motion.q[:, 2])) < 0.1
     run = solaris.run_gait(speed=3.0, steps=4, end="running")
     assert run.measures["run"] is not None
+    fore = solaris.run_gait(speed=3.0, steps=4, forefoot=True)
+    assert fore.measures["run"]["knee_contact_deg"] > run.measures["run"]["knee_contact_deg"]
     walk = {"steps": 4, "speed": 1.5}
     joined = solaris.run_gait(speed=2.2, steps=6, start=walk, end="walking")
     lands = [event for event in joined.motion.events if event[1] == "touch_down"]

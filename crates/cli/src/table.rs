@@ -24,8 +24,8 @@ pub(crate) fn row(
 pub(crate) fn lines(rows: &[Row]) -> String {
     let line = |Row { label, value, unit, note }: &Row| {
         // A long label leaves less to its value.
-        let room = 41 - label.chars().count().min(40);
-        let line = format!("  {label}{value:>room$} {unit:<9} {note}");
+        let room = 40 - label.chars().count().min(40);
+        let line = format!("  {label} {value:>room$} {unit:<9} {note}");
         line.trim_end().to_owned() + "\n"
     };
     rows.iter().map(line).collect()

@@ -9,5 +9,5 @@ mod request;
 mod stages;
 
 pub use made::{DEFAULT_RATE, Gait};
-pub use options::{GaitKind, GaitOptions, PartOptions, Repeats, RunWalkOptions, StairOptions};
+pub use options::{GaitKind, GaitOptions, PartOptions, Repeats, RunEndOptions, RunWalkOptions, StairOptions};
 pub use stages::{Next, Staged, stages};

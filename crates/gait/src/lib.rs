@@ -44,8 +44,8 @@ mod thesis;
 mod walking;
 
 pub use asked::{
-    DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, RunWalkOptions, Staged,
-    StairOptions, stages,
+    DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, RunEndOptions, RunWalkOptions,
+    Staged, StairOptions, stages,
 };
 pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use chair::{ChairPlan, chair};
@@ -62,10 +62,10 @@ pub use measure::{
 };
 pub use request::{
     CHAIR_TIMES, CHANGING_RUN_STEPS, CHANGING_STEPS, ChairMotion, ChairRequest, Change, DEFAULT_RUN_SPEED,
-    DEFAULT_STEP_FREQUENCY, Extent, Foothold, MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd,
-    RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS,
-    Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath,
-    WalkRequest,
+    DEFAULT_STEP_FREQUENCY, Extent, FOREFOOT_SPEED, Foothold, MOST_VARIABILITY, Population, RUN_SPEED,
+    Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STAIR_COUNT,
+    STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround,
+    WalkPart, WalkPath, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{

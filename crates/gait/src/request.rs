@@ -18,7 +18,8 @@ pub use path::WalkPath;
 pub use population::Population;
 pub use resolution::Resolution;
 pub use run::{
-    CHANGING_RUN_STEPS, DEFAULT_RUN_SPEED, RUN_SPEED, RunEnd, RunPart, RunRequest, RunResolution, RunWalk,
+    CHANGING_RUN_STEPS, DEFAULT_RUN_SPEED, FOREFOOT_SPEED, RUN_SPEED, RunEnd, RunPart, RunRequest,
+    RunResolution, RunWalk,
 };
 pub use sheet::{Change, StyleSheet};
 pub use variability::{MOST_VARIABILITY, Variability};

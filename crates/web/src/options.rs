@@ -4,7 +4,9 @@ use crate::failed;
 use crate::figure::HumanOptions;
 use crate::walk::WalkOptions;
 use js_sys::{Array, Reflect};
-use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, RunWalkOptions, StairOptions};
+use solaris::gait::{
+    GaitKind, GaitOptions, PartOptions, Repeats, RunEndOptions, RunWalkOptions, StairOptions,
+};
 use solaris::model::{Human, nearest};
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsError, JsValue};
@@ -40,10 +42,9 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         seed: fields.whole("seed", MOST_SEED)?.unwrap_or_default(),
         style: fields.get("style", named)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
-        from_standing: fields.flag("fromStanding")?.unwrap_or_default(),
-        to_standing: fields.flag("toStanding")?.unwrap_or_default(),
-        from_walking: fields.get("fromWalking", run_walk)?,
-        to_walking: fields.get("toWalking", run_walk)?,
+        forefoot: fields.flag("forefoot")?.unwrap_or_default(),
+        from: run_end(&mut fields, ["fromStanding", "fromWalking"])?,
+        to: run_end(&mut fields, ["toStanding", "toWalking"])?,
         repeats: fields.one_of("loop", [("moving", Repeats::Moving), ("in_place", Repeats::InPlace)])?,
         rate: fields.number("rate")?,
     };
@@ -76,6 +77,19 @@ fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
     };
     fields.end()?;
     Ok(stairs)
+}
+
+/// How a run begins or ends, by the names of its two options.
+fn run_end(
+    fields: &mut Fields<'_>,
+    [standing, walking]: [&'static str; 2],
+) -> Result<RunEndOptions, JsError> {
+    match (fields.flag(standing)?.unwrap_or_default(), fields.get(walking, run_walk)?) {
+        (true, Some(_)) => Err(JsError::new(&format!("{standing} and {walking} are both given; drop one"))),
+        (true, None) => Ok(RunEndOptions::Standing),
+        (false, Some(walk)) => Ok(RunEndOptions::Walking(walk)),
+        (false, None) => Ok(RunEndOptions::Running),
+    }
 }
 
 fn run_walk(at: &str, given: JsValue) -> Result<RunWalkOptions, JsError> {

@@ -56,7 +56,8 @@ export interface WalkOptions {
   /** Numbers of the style by name, in their units: { armSwing: 10 }. */
   style?: Record<string, number>;
   leftFirst?: boolean;
-  /** Of a run. */
+  /** Of a run: on the forefoot, how it begins and ends. */
+  forefoot?: boolean;
   fromStanding?: boolean;
   toStanding?: boolean;
   /** The walk out of which a run comes, and the one into which it goes over. */

@@ -232,6 +232,8 @@ class Chair:
     @property
     def seat_height(self) -> float: ...
     @property
+    def one_way(self) -> float: ...
+    @property
     def duration(self) -> float: ...
     @property
     def measures(self) -> dict[str, Any]: ...
@@ -490,6 +492,7 @@ def run_gait(
     then: Optional[Sequence[Mapping[str, float]]] = None,
     start: Union[Literal["running", "standing", "walking"], Mapping[str, float], None] = None,
     end: Union[Literal["running", "standing", "walking"], Mapping[str, float], None] = None,
+    forefoot: bool = False,
     left_first: bool = False,
     loop: Optional[Literal["moving", "in_place"]] = None,
     rate: Optional[float] = None,

@@ -37,7 +37,7 @@ pub(crate) struct SeatArgs {
     )))]
     pub(crate) seat_height: Option<Number>,
     #[arg(long, value_name = "S", allow_hyphen_values = true, help = wrap(&format!(
-        "How long it takes to stand up or to sit down, 1.4 to 4 s at a height of {HEIGHT} m; others' goes with its root [default: 1.9]"
+        "How long it takes to stand up or to sit down, 1.4 to 4 s at a height of {HEIGHT} m; others' goes with its root, and 0.4 s go by at rest before, between and after [default: 1.9]"
     )))]
     pub(crate) duration: Option<Number>,
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help = wrap(

@@ -18,8 +18,8 @@ use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, 
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, RUN_SPEED, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, THESIS_STEP_FREQUENCY, TURN,
-    TURN_IN_ALL, WALK_RATIO,
+    DEFAULT_STEP_FREQUENCY, FOREFOOT_SPEED, RUN_SPEED, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, WALK_RATIO,
 };
 use std::path::PathBuf;
 
@@ -206,6 +206,10 @@ pub(crate) struct MannerArgs {
         RUN_SPEED.0, RUN_SPEED.1
     )))]
     pub(crate) gait: Gait,
+    #[arg(long, help = wrap(&format!(
+        "Gait run: land on the forefoot, in full run and up to {FOREFOOT_SPEED} m/s [default: on the heel]"
+    )))]
+    pub(crate) forefoot: bool,
     #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(
         "Gait run: how it begins, in full run (running), in standing, or in a walk that begins in standing: walking, or such as \
          walking,steps=6,speed=1.4; from standing or walking it takes some steps to reach its speed [default: running]"

@@ -24,7 +24,7 @@ pub(super) struct Report {
     pub(super) times: usize,
     pub(super) seat_m: f64,
     pub(super) shank_deg: f64,
-    pub(super) takes_s: f64,
+    pub(super) one_way_s: f64,
     pub(super) frames: usize,
     pub(super) rate_per_s: f64,
     /// Greatest forward lean of the trunk.
@@ -68,7 +68,7 @@ impl Report {
             times,
             seat_m: plan.seat(),
             shank_deg: request.shank.to_degrees(),
-            takes_s: plan.rise(),
+            one_way_s: plan.one_way(),
             frames: motion.len(),
             rate_per_s: motion.info.rate,
             lean_deg: motion.time().iter().map(|time| plan.lean(*time)).fold(0.0, f64::max).to_degrees(),

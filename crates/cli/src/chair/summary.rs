@@ -46,13 +46,19 @@ pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> S
     text
 }
 
+/// So many times of a list are shown.
+const SHOWN: usize = 3;
+
 fn rows(report: &Report) -> Vec<Row> {
     let (measures, extremes) = (&report.measures, &report.measures.extremes);
-    let times = |times: &[f64]| times.iter().map(|time| fixed(*time, 2)).collect::<Vec<_>>().join(", ");
+    let times = |times: &[f64]| {
+        let first: Vec<String> = times.iter().take(SHOWN).map(|time| fixed(*time, 2)).collect();
+        first.join(", ") + if times.len() > SHOWN { ", …" } else { "" }
+    };
     let millimetres = |value: f64, decimals| fixed(1e3 * value, decimals);
     let mut rows = vec![
         row("time", fixed(measures.duration, 2), "s", format!("{} frames", report.frames)),
-        row("one way takes", fixed(report.takes_s, 2), "s", ""),
+        row("one way takes", fixed(report.one_way_s, 2), "s", "and rest before and after it"),
     ];
     let events = [("seat left at", &measures.left), ("seat met at", &measures.met)];
     rows.extend(
@@ -66,13 +72,13 @@ fn rows(report: &Report) -> Vec<Row> {
         row("force on the feet, peak", fixed(measures.feet.value, 1), "%BW", at(measures.feet)),
         row("force on the seat, peak", fixed(measures.seat.value, 1), "%BW", at(measures.seat)),
         row(
-            "speed of the body, forward",
-            fixed(measures.forward.value, 2),
+            "speed of the body, along",
+            fixed(measures.along.value, 2),
             "m/s",
-            format!("its centre of mass, {}", at(measures.forward)),
+            format!("its centre of mass, {}", at(measures.along)),
         ),
-        row("speed of the body, up", fixed(measures.upward.value, 2), "m/s", at(measures.upward)),
-        row("friction needed", fixed(measures.friction.value, 2), "", "of seat or foot"),
+        row("speed of the body, up or down", fixed(measures.vertical.value, 2), "m/s", at(measures.vertical)),
+        row("friction needed", fixed(measures.contact_friction.value, 2), "", "of seat or foot"),
         row("CoP outside the foot", millimetres(extremes.cop_outside.value, 1), "mm", "at most"),
         row("greatest slide", millimetres(extremes.slide.value, 3), "mm", "of a planted point"),
     ]);

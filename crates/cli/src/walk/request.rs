@@ -166,7 +166,9 @@ fn running(args: &WalkArgs) -> Result<Asked, CliError> {
         extent => extent,
     };
     let left_first = args.manner.first == Some(Side::Left);
-    let request = RunRequest { speed, extent, then: parts, from, to, left_first, ..RunRequest::default() };
+    let forefoot = args.manner.forefoot;
+    let request =
+        RunRequest { speed, extent, then: parts, from, to, left_first, forefoot, ..RunRequest::default() };
     Ok(Asked { request: StyledRequest::Run(request), origins: vec![origins] })
 }
 
@@ -260,7 +262,8 @@ impl Typed for PersonArgs {
         let number = match name {
             "height" => &self.height,
             "age" => &self.age,
-            _ => &self.mass,
+            "mass" => &self.mass,
+            _ => return None,
         };
         number.as_ref().map(|number| number.typed.as_str())
     }

@@ -69,14 +69,12 @@ pub struct GaitOptions {
     pub style: BTreeMap<String, f64>,
     /// Whether the left foot makes the first step; else the right one, or the inner one of a turn.
     pub left_first: Option<bool>,
-    /// Whether a run begins in standing.
-    pub from_standing: bool,
-    /// Whether a run ends in standing.
-    pub to_standing: bool,
-    /// A walk out of which a run comes.
-    pub from_walking: Option<RunWalkOptions>,
-    /// A walk into which a run goes over.
-    pub to_walking: Option<RunWalkOptions>,
+    /// Whether a run lands on the forefoot.
+    pub forefoot: bool,
+    /// How a run begins.
+    pub from: RunEndOptions,
+    /// How a run ends.
+    pub to: RunEndOptions,
     /// One stride that repeats itself instead of a walk.
     #[cfg_attr(feature = "serde", serde(rename = "loop"))]
     pub repeats: Option<Repeats>,
@@ -111,10 +109,9 @@ impl Default for GaitOptions {
             seed: 0,
             style: BTreeMap::new(),
             left_first: None,
-            from_standing: false,
-            to_standing: false,
-            from_walking: None,
-            to_walking: None,
+            forefoot: false,
+            from: RunEndOptions::Running,
+            to: RunEndOptions::Running,
             repeats: None,
             rate: None,
         }
@@ -165,6 +162,20 @@ pub struct PartOptions {
     pub turn: f64,
     /// Whether it goes backward, after standing.
     pub backward: bool,
+}
+
+/// How a run begins or ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum RunEndOptions {
+    /// In full run.
+    #[default]
+    Running,
+    /// In standing.
+    Standing,
+    /// In a walk.
+    Walking(RunWalkOptions),
 }
 
 /// A walk beside a run; what is left out is as usual ([`crate::RunWalk::default`]).

@@ -1,6 +1,6 @@
 //! Options as a request of the planners.
 
-use super::options::{GaitKind, GaitOptions, PartOptions, RunWalkOptions, StairOptions};
+use super::options::{GaitKind, GaitOptions, PartOptions, RunEndOptions, RunWalkOptions, StairOptions};
 use super::stages::{Next, Staged, stages};
 use crate::error::{GaitError, RequestError};
 use crate::request::{
@@ -63,12 +63,11 @@ impl GaitOptions {
             let of = if is_run { "a run" } else { "a walk through key postures (determinants)" };
             return Err(RequestError::NotOf { option, of });
         }
-        let of_runs = [
-            ("from_standing", self.from_standing),
-            ("to_standing", self.to_standing),
-            ("from_walking", self.from_walking.is_some()),
-            ("to_walking", self.to_walking.is_some()),
-        ];
+        let of_runs =
+            [("from", self.from != RunEndOptions::Running), ("to", self.to != RunEndOptions::Running)];
+        if self.forefoot && !is_run {
+            return Err(RequestError::NotOf { option: "forefoot", of: "a walk, which lands on its heels" });
+        }
         let bound = of_runs.into_iter().find(|(_, given)| *given);
         if let Some((option, _)) = bound.filter(|_| !is_run) {
             return Err(RequestError::NotOf { option, of: "a walk, which begins and ends in standing" });
@@ -88,12 +87,8 @@ impl GaitOptions {
             ("loop", looped, "stairs", self.stairs.is_some()),
             ("loop", looped, "ground", self.ground.is_some()),
             ("loop", looped, "footholds", self.footholds.is_some()),
-            ("loop", looped, "from_standing", self.from_standing),
-            ("loop", looped, "to_standing", self.to_standing),
-            ("loop", looped, "from_walking", self.from_walking.is_some()),
-            ("loop", looped, "to_walking", self.to_walking.is_some()),
-            ("from_standing", self.from_standing, "from_walking", self.from_walking.is_some()),
-            ("to_standing", self.to_standing, "to_walking", self.to_walking.is_some()),
+            ("loop", looped, "from", self.from != RunEndOptions::Running),
+            ("loop", looped, "to", self.to != RunEndOptions::Running),
             ("slope", self.slope.is_some(), "stairs", self.stairs.is_some()),
             ("slope", self.slope.is_some(), "ground", self.ground.is_some()),
             ("slope", self.slope.is_some(), "footholds", self.footholds.is_some()),
@@ -120,15 +115,14 @@ impl GaitOptions {
     }
 
     fn run(&self) -> Result<RunRequest, RequestError> {
-        let bound = |standing: bool, walking: Option<RunWalkOptions>| match walking {
-            Some(RunWalkOptions { steps, speed }) => {
+        let bound = |end: RunEndOptions| match end {
+            RunEndOptions::Running => RunEnd::Running,
+            RunEndOptions::Standing => RunEnd::Standing,
+            RunEndOptions::Walking(RunWalkOptions { steps, speed }) => {
                 RunEnd::Walking(RunWalk { steps: steps.unwrap_or(RunWalk::default().steps), speed })
             }
-            None if standing => RunEnd::Standing,
-            None => RunEnd::Running,
         };
-        let from = bound(self.from_standing, self.from_walking);
-        let to = bound(self.to_standing, self.to_walking);
+        let (from, to) = (bound(self.from), bound(self.to));
         let speed = self.speed.unwrap_or(DEFAULT_RUN_SPEED);
         let then = self.then.iter().map(|part| match *part {
             PartOptions { steps: Some(steps), speed: Some(speed), .. }
@@ -145,7 +139,8 @@ impl GaitOptions {
         let least = least_run_steps(speed, from, if then.is_empty() { to } else { RunEnd::Running });
         let extent = self.extent(STEPS.max(least), LOOPED[2]);
         let left_first = self.left_first.unwrap_or(false);
-        Ok(RunRequest { speed, extent, then, from, to, left_first, ..RunRequest::default() })
+        let forefoot = self.forefoot;
+        Ok(RunRequest { speed, extent, then, from, to, left_first, forefoot, ..RunRequest::default() })
     }
 
     fn thesis(&self, count: usize, figure: &Figure) -> Result<ThesisRequest, GaitError> {

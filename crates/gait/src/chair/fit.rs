@@ -18,8 +18,8 @@ const ON_FEET: f64 = 0.1;
 const NEAR: f64 = 0.006;
 const NEAR_STRAIGHT: f64 = 0.0003;
 const NEAR_RANGE: f64 = 0.1 * std::f64::consts::PI / 180.0;
-/// What jerks of the trunk (rad) and of the hips along and up (m, at a height of 1.75 m) are held against, by the time: those of smooth ways as far as people's, the
-/// trunk's less, for it leans no farther than it must.
+/// What jerks are held against: of the trunk (rad), of the hips along and up (m, at a height of 1.75 m), a rise's time cubed. Smooth ways as far as people's have some 200 rad and
+/// 40 m; the trunk's is less, for it leans no farther than it must.
 const JERK: [f64; 3] = [80.0, 42.0, 45.0];
 
 /// Samples of a rise that are looked at.
@@ -68,8 +68,11 @@ impl Fit<'_> {
     /// The laws nearest to what is asked of them, by steps of Gauss and Newton that are damped:
     ///
     /// ```text
-    /// min Σ ((P − P_law)/σ)²/n + Σ (jerk/j)²/n      (JᵀJ + λ diag JᵀJ) s = −Jᵀr
+    /// min Σ [((P − P_law)/σ)² + (d/σ_d)² + (ρ/σ_ρ)² + |jerk/j|²]/n      (JᵀJ + λ diag JᵀJ) s = −Jᵀr
     /// ```
+    ///
+    /// Before the seat is left, `P − P_law` is what the pressure is behind of where a part of the weight is on the feet, or nothing; `d` is by how much knees are too
+    /// straight, `ρ` what joints are beyond their ranges.
     pub(super) fn fitted(&self, mut laws: Laws) -> Result<Laws, GaitError> {
         let pressure = CubicSpline::monotone(&PRESSURE)?.into_clip();
         let cost = |missed: &[f64]| missed.iter().map(|x| x * x).sum::<f64>();

@@ -23,8 +23,11 @@ const TOUCHED: f64 = 0.02;
 /// Samples a second at which a plan is looked at.
 const LOOKED_AT: f64 = 60.0;
 
-/// What must hold of a plan: by how much a joint may be beyond its range (rad), pressure beside a sole (m), friction at a foot or the seat, and how high the
-/// hips are when the seat is left (m at a height of 1.75 m).
+/// By how much slower rises are tried where one does not hold, and how often.
+const SLOWER: (f64, i32) = (1.06, 12);
+
+/// What must hold of a plan: by how much a joint may be beyond its range (rad), pressure beside a sole (m), friction at a foot or the seat, and by how much
+/// the pelvis has risen when the seat is left (m, at a height of 1.75 m).
 const BEYOND: f64 = 0.5 * DEGREE;
 const BESIDE: f64 = 0.005;
 const FRICTION: f64 = 0.5;
@@ -38,8 +41,8 @@ pub struct ChairPlan {
     sitter: Sitter,
     laws: Laws,
     motion: ChairMotion,
-    /// Of one rise, and of sitting or standing before and after it (s).
-    rise: f64,
+    /// Of one way, up or down, and of sitting or standing before and after it (s).
+    one_way: f64,
     still: f64,
 }
 
@@ -52,19 +55,30 @@ pub fn chair(figure: &Figure, request: &ChairRequest) -> Result<ChairPlan, GaitE
     missing::check(figure)?;
     let body = Body::of(figure)?;
     request.check()?;
-    let (seat, rise) = (request.seat_of(body.height)?, request.duration_of(body.height)?);
+    let (seat, one_way) = (request.seat_of(body.height)?, request.duration_of(body.height)?);
+    let usual = ChairRequest::usual_duration(body.height);
     let sitter = Sitter::new(figure, body, seat)?;
     let tree = Tree::new(figure, MotionInfo::on_earth(figure, LOOKED_AT).gravity)?;
     let still = STILL * (sitter.body.height / 1.75).sqrt();
-    let mut laws = Laws::new(sitter.seated(request.shank), sitter.standing);
-    // A quick rise is found from a usual one.
-    let usual = ChairRequest::usual_duration(sitter.body.height);
-    for duration in [Some(usual).filter(|usual| rise < *usual), Some(rise)].into_iter().flatten() {
-        laws = Fit { figure, tree: &tree, sitter: &sitter, duration }.fitted(laws)?;
-    }
-    let plan = ChairPlan { sitter, laws, motion: ChairMotion::Rise, rise, still };
-    plan.check(figure, request.shank)?;
-    Ok(ChairPlan { motion: request.motion, ..plan })
+    let planned = |one_way: f64| -> Result<ChairPlan, GaitError> {
+        let mut laws = Laws::new(sitter.seated(request.shank), sitter.standing);
+        // A quick rise is found from a usual one.
+        for duration in [Some(usual).filter(|usual| one_way < *usual), Some(one_way)].into_iter().flatten() {
+            laws = Fit { figure, tree: &tree, sitter: &sitter, duration }.fitted(laws)?;
+        }
+        Ok(ChairPlan { sitter: sitter.clone(), laws, motion: ChairMotion::Rise, one_way, still })
+    };
+    let plan = planned(one_way)?;
+    let Some(what) = plan.fault(figure)? else { return Ok(ChairPlan { motion: request.motion, ..plan }) };
+    let holds =
+        |slower: &f64| planned(*slower).and_then(|plan| plan.fault(figure)).is_ok_and(|what| what.is_none());
+    let slower = (1..=SLOWER.1).map(|k| (one_way * SLOWER.0.powi(k) * 100.0).ceil() / 100.0);
+    let nearest = match slower.filter(|slower| request.takes(*slower, sitter.body.height)).find(holds) {
+        Some(slower) => format!("it holds in {slower:.2} s"),
+        None => "it needs another seat, or other shanks".to_owned(),
+    };
+    let shank = request.shank.to_degrees();
+    Err(PlanError::NoRise { seat, duration: one_way, shank, what, nearest }.into())
 }
 
 impl ChairPlan {
@@ -73,9 +87,9 @@ impl ChairPlan {
         self.sitter.seat
     }
 
-    /// How long it takes to stand up, or to sit down (s), without the moments of rest.
-    pub fn rise(&self) -> f64 {
-        self.rise
+    /// How long one way takes, up or down (s), without the moments of rest before and after it.
+    pub fn one_way(&self) -> f64 {
+        self.one_way
     }
 
     /// The standing height that the laws scale with (m): the figure's own, or what its legs suggest.
@@ -91,12 +105,12 @@ impl ChairPlan {
     /// How far it has come from sitting, 0, to standing, 1, as a part of a rise's time.
     fn part(&self, t: f64) -> f64 {
         let t = t.clamp(0.0, self.duration());
-        let once = self.rise + self.still;
+        let once = self.one_way + self.still;
         let way = match self.motion {
             ChairMotion::Rise | ChairMotion::Sit => 0,
             ChairMotion::RiseAndSit(_) => (t / once) as usize,
         };
-        let part = ((t - way as f64 * once - self.still) / self.rise).clamp(0.0, 1.0);
+        let part = ((t - way as f64 * once - self.still) / self.one_way).clamp(0.0, 1.0);
         if self.motion == ChairMotion::Sit || way % 2 == 1 { 1.0 - part } else { part }
     }
 
@@ -116,35 +130,30 @@ impl ChairPlan {
         motion.contacts = vec![ContactTrack { link: SEATED.to_owned(), samples: shared.seat.clone() }];
         motion.events = self.events(&motion);
         let last = motion.time()[motion.len() - 1];
-        // Flat from before the begin till after the end.
-        let [landed, left] = [-1.0, last + 1.0];
+        // Flat throughout.
         let stood =
-            Stood { landed, flat: landed, on_ball: false, heel_off: left, tip_roll: left, toe_off: left };
+            Stood { landed: 0.0, flat: 0.0, on_ball: false, heel_off: last, tip_roll: last, toe_off: last };
         motion.planted = [0, 1].into_iter().flat_map(|side| stood.planted(figure, side)).collect();
-        for planted in &mut motion.planted {
-            (planted.start, planted.end) = (0.0, last);
-        }
         motion.relief = Some(self.bench());
         let report = ground_reactions(figure, &mut motion, FEET, &shared)?;
         Ok((motion, report))
     }
 
-    /// When the seat is left and met, from what it bears.
+    /// When the seat is left and met: between the frames between which it bears as much as a touch.
     fn events(&self, motion: &Motion) -> Vec<Event> {
         let touched = TOUCHED * self.sitter.body.mass * motion.info.gravity.norm();
-        let bears: Vec<bool> = motion.contacts[0].samples.iter().map(|seat| seat.force.y > touched).collect();
-        let changes = bears.windows(2).zip(&motion.time()[1..]).filter(|(pair, _)| pair[0] != pair[1]);
-        let link = || SEATED.to_owned();
-        changes
-            .map(|(pair, &time)| Event {
-                time,
-                kind: if pair[0] {
-                    EventKind::LiftOff { link: link() }
-                } else {
-                    EventKind::TouchDown { link: link() }
-                },
+        let bears: Vec<f64> = motion.contacts[0].samples.iter().map(|seat| seat.force.y - touched).collect();
+        let crossing = |(pair, time): (&[f64], &[f64])| {
+            let is_left = pair[0] > 0.0;
+            (is_left != (pair[1] > 0.0)).then(|| {
+                let link = SEATED.to_owned();
+                Event {
+                    time: time[0] + (time[1] - time[0]) * pair[0] / (pair[0] - pair[1]),
+                    kind: if is_left { EventKind::LiftOff { link } } else { EventKind::TouchDown { link } },
+                }
             })
-            .collect()
+        };
+        bears.windows(2).zip(motion.time().windows(2)).filter_map(crossing).collect()
     }
 
     /// The ground, with the seat as a bench on it.
@@ -154,24 +163,27 @@ impl ChairPlan {
             .expect("points in their order")
     }
 
-    /// Refuses what would not hold.
-    fn check(&self, figure: &Figure, shank: f64) -> Result<(), GaitError> {
+    /// What would not hold.
+    fn fault(&self, figure: &Figure) -> Result<Option<String>, GaitError> {
         let (motion, _) = self.loaded(figure, LOOKED_AT)?;
-        let ChairMeasures { extremes, friction, lifted, .. } = measure_chair(figure, &motion)?;
-        let most = self.sitter.scaled(LIFTED);
-        let what = if let Some(beyond) = extremes.beyond_range.filter(|beyond| beyond.by > BEYOND) {
-            format!("{} would go {:.1}° beyond its range", beyond.joint, beyond.by.to_degrees())
+        let ChairMeasures { extremes, contact_friction: friction, lifted, .. } =
+            measure_chair(figure, &motion)?;
+        Ok(if let Some(beyond) = extremes.beyond_range.filter(|beyond| beyond.by > BEYOND) {
+            Some(format!("{} would go {:.1}° beyond its range", beyond.joint, beyond.by.to_degrees()))
+        } else if extremes.least_knee.value < 0.0 {
+            Some(format!("a knee would be hyperextended by {:.1}°", -extremes.least_knee.value.to_degrees()))
         } else if extremes.cop_outside.value > BESIDE {
-            format!("a foot would be pressed {:.0} mm beside its sole", 1e3 * extremes.cop_outside.value)
+            Some(format!(
+                "a foot would be pressed {:.0} mm beside its sole",
+                1e3 * extremes.cop_outside.value
+            ))
         } else if friction.value > FRICTION {
-            format!("friction would have to be {:.2}", friction.value)
-        } else if lifted > most {
-            format!("the hips would be {:.0} mm over the seat before the feet bear", 1e3 * lifted)
+            Some(format!("friction would have to be {:.2}", friction.value))
+        } else if lifted > self.sitter.scaled(LIFTED) {
+            Some(format!("the pelvis would have risen by {:.0} mm before the seat is free", 1e3 * lifted))
         } else {
-            return Ok(());
-        };
-        let (seat, duration, shank) = (self.seat(), self.rise, shank.to_degrees());
-        Err(PlanError::NoRise { seat, duration, shank, what }.into())
+            None
+        })
     }
 }
 
@@ -181,7 +193,7 @@ impl Trajectory for ChairPlan {
             ChairMotion::Rise | ChairMotion::Sit => 1,
             ChairMotion::RiseAndSit(times) => 2 * times,
         };
-        self.still + (self.rise + self.still) * ways as f64
+        self.still + (self.one_way + self.still) * ways as f64
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {

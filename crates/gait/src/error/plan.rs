@@ -42,9 +42,9 @@ pub enum PlanError {
     #[error("a run at {speed:.2} m/s: {what}; {nearest}")]
     NotRunnable { speed: f64, what: String, nearest: String },
     #[error(
-        "from a seat of {seat:.3} m in {duration:.2} s with shanks that lean forward by {shank:.0}°: {what}; another seat, more time, or shanks of about 15°"
+        "from a seat of {seat:.3} m in {duration:.2} s with shanks that lean forward by {shank:.0}°: {what}; {nearest}"
     )]
-    NoRise { seat: f64, duration: f64, shank: f64, what: String },
+    NoRise { seat: f64, duration: f64, shank: f64, what: String, nearest: String },
     #[error(
         "step {step}: about {place:.2} m along the way no foot finds a place: a sole needs {} of ground that is even to within 2 mm and rises \
          by no more than 16°, no more than 16° above or below the foot before; smooth the ground, or change the step length or the number of steps",

@@ -85,7 +85,7 @@ pub enum RequestError {
         "a run of {distance} m that changes its speed: how far its steps go is found with them; say how many they are"
     )]
     RunDistance { distance: f64 },
-    #[error("{times} times; it must be {fewest} to {most}")]
+    #[error("to stand up and sit down {times} times; it must be {fewest} to {most} times")]
     ChairTimes { times: usize, fewest: usize, most: usize },
     #[error("there is no manner '{name}'; {known}")]
     UnknownManner { name: String, known: String },

@@ -12,8 +12,8 @@ const LOADED: f64 = 0.05;
 
 /// The numbers of standing up from a seat or sitting down.
 ///
-/// With the feature `serde` its keys are `duration_s`, `left_s`, `met_s`, `lifted_m`, `seat_percent_bw`, `feet_percent_bw`, `forward_m_s`, `upward_m_s`,
-/// `friction`, `angles`, `joints` and those of [`WalkExtremes`].
+/// With the feature `serde` its keys are `duration_s`, `left_s`, `met_s`, `lifted_m`, `seat_percent_bw`, `feet_percent_bw`, `along_m_s`, `vertical_m_s`,
+/// `contact_friction`, `angles`, `joints` and those of [`WalkExtremes`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChairMeasures {
@@ -39,13 +39,13 @@ pub struct ChairMeasures {
     #[cfg_attr(feature = "serde", serde(rename = "feet_percent_bw"))]
     pub feet: Peak,
     /// Greatest speed of the centre of mass along z, either way (m/s).
-    #[cfg_attr(feature = "serde", serde(rename = "forward_m_s"))]
-    pub forward: Peak,
+    #[cfg_attr(feature = "serde", serde(rename = "along_m_s"))]
+    pub along: Peak,
     /// Greatest speed of the centre of mass up or down (m/s).
-    #[cfg_attr(feature = "serde", serde(rename = "upward_m_s"))]
-    pub upward: Peak,
+    #[cfg_attr(feature = "serde", serde(rename = "vertical_m_s"))]
+    pub vertical: Peak,
     /// Greatest friction ratio of the seat or of a foot that bears more than 5 % of the weight.
-    pub friction: Peak,
+    pub contact_friction: Peak,
     /// Least and greatest angles of hip, knee and ankle, both sides.
     pub angles: Vec<JointRange>,
     /// Their greatest moments and powers.
@@ -91,7 +91,12 @@ pub fn measure_chair(figure: &Figure, motion: &Motion) -> Result<ChairMeasures, 
     let root = figure.layout().joints()[0].q + 1;
     let height = |i: usize| motion.q(i)[root];
     let lowest = (0..motion.len()).map(height).fold(f64::INFINITY, f64::min);
-    let at = |time: f64| height(motion.time().partition_point(|t| *t < time - 1e-9).min(motion.len() - 1));
+    let at = |time: f64| {
+        let after = motion.time().partition_point(|t| *t < time).clamp(1, motion.len() - 1);
+        let [from, to] = [after - 1, after].map(|i| motion.time()[i]);
+        let part = (time - from) / (to - from);
+        height(after - 1) + part * (height(after) - height(after - 1))
+    };
     let speed = |axis: usize| {
         let rate = |i: usize| {
             let (before, after) = (i.saturating_sub(1), (i + 1).min(motion.len() - 1));
@@ -123,9 +128,9 @@ pub fn measure_chair(figure: &Figure, motion: &Motion) -> Result<ChairMeasures, 
         seat: series.greatest(seat.samples.iter().map(|contact| percent * contact.force.y)),
         feet: series
             .greatest((0..motion.len()).map(|i| percent * (series.forces[0][i].y + series.forces[1][i].y))),
-        forward: speed(2),
-        upward: speed(1),
-        friction: extremes.foot_friction.max(on_seat),
+        along: speed(2),
+        vertical: speed(1),
+        contact_friction: extremes.foot_friction.max(on_seat),
         angles: SIDED_ANGLES.into_iter().map(range).collect::<Result<_, _>>()?,
         joints: joints.peaks(&series),
         extremes,

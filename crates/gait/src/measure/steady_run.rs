@@ -10,7 +10,7 @@ use crate::body::rotations;
 use crate::error::{BodyError, GaitError, MeasureError};
 use crate::request::run::at_speed;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
-use solaris_model::{EventKind, Figure, Motion};
+use solaris_model::{EventKind, Figure, Interval, Motion, SolePart};
 
 /// The measures of a steady stride of a run, of the left leg from its contact on: times in ms, forces in body weights, angles in
 /// degrees, moments in N m/kg about the distal segment's axes.
@@ -20,6 +20,9 @@ use solaris_model::{EventKind, Figure, Motion};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[doc(alias = "gait cycle")]
 pub struct SteadyRun {
+    /// Whether the foot lands on its ball: whether the motion says that its heel stands later than its ball does.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
+    pub on_forefoot: bool,
     /// Speed (m/s).
     #[cfg_attr(feature = "serde", serde(rename = "speed_m_s"))]
     pub speed: f64,
@@ -137,6 +140,7 @@ pub fn measure_run(figure: &Figure, motion: &Motion) -> Result<SteadyRun, GaitEr
     let advance = window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z);
     let stride = end - start;
     Ok(SteadyRun {
+        on_forefoot: lands_on_ball(figure, motion, start),
         speed: advance / stride,
         cadence: 120.0 / stride,
         contact: 1e3 * (lift - start),
@@ -205,10 +209,26 @@ impl RunBand {
     }
 }
 
-/// Holds a run against [`RUN_BANDS`].
+/// Bands of runners who land on their heels.
+const OF_HEELS: [&str; 2] = ["knee at contact", "ankle at contact"];
+
+/// Whether at a contact of the left foot (s) a point of the foot or its toes is planted, and its heel is not yet.
+fn lands_on_ball(figure: &Figure, motion: &Motion, contact: f64) -> bool {
+    let foot = figure.link_index(FEET[0]);
+    let heel = foot.and_then(|foot| figure.links()[foot].sole_point(SolePart::Heel));
+    let begins = |planted: &&Interval| (planted.start - contact).abs() < 1e-3;
+    let of_left =
+        |planted: &&Interval| Some(planted.link) == foot || figure.links()[planted.link].parent() == foot;
+    let mut landing = motion.planted.iter().filter(of_left).filter(begins).peekable();
+    landing.peek().is_some()
+        && !landing.any(|planted| Some(planted.link) == foot && Some(&planted.point) == heel)
+}
+
+/// Holds a run against [`RUN_BANDS`]; on the forefoot without those of knee and ankle at contact, which are of heels.
 pub fn run_bands(run: &SteadyRun) -> BandReport {
+    let of_it = |band: &&RunBand| !(run.on_forefoot && OF_HEELS.contains(&band.name));
     let check = |band: &RunBand| BandCheck::new(band.name, band.unit, band.range(run.speed), band.value(run));
-    BandReport::new("running", RUN_SOURCE, RUN_BANDS.iter().map(check).collect())
+    BandReport::new("running", RUN_SOURCE, RUN_BANDS.iter().filter(of_it).map(check).collect())
 }
 
 const RUN_SOURCE: &str = "about two standard deviations about the means of 28 runners (Fukuchi 2017) for times and angles, else \

@@ -41,7 +41,8 @@ pub struct ChairRequest {
     pub motion: ChairMotion,
     /// Height of the seat (m), 0.19 to 0.36 of the standing height; 0.257 of it where it is left out.
     pub seat: Option<f64>,
-    /// How long it takes to stand up or to sit down (s), 1.4 to 4 at a height of 1.75 m; 1.9 where it is left out. Others' goes with the height's root.
+    /// How long it takes to stand up or to sit down (s), 1.4 to 4 at a height of 1.75 m; 1.9 where it is left out. Others' goes with the height's root. Besides, 0.4 s
+    /// go by at rest before, between and after (at 1.75 m).
     pub duration: Option<f64>,
     /// How far the shanks lean forward in sitting (rad), 8 to 25°: the more, the farther back the feet are.
     pub shank: f64,
@@ -82,6 +83,11 @@ impl ChairRequest {
     /// How long a rise usually takes somebody so tall (m), in s.
     pub(crate) fn usual_duration(stature: f64) -> f64 {
         USUAL_DURATION * (stature / 1.75).sqrt()
+    }
+
+    /// Whether one way may take so long (s), for somebody so tall (m).
+    pub(crate) fn takes(&self, duration: f64, stature: f64) -> bool {
+        Self { duration: Some(duration), ..*self }.duration_of(stature).is_ok()
     }
 
     /// How long it takes (s), for somebody so tall (m).

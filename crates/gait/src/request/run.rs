@@ -13,6 +13,9 @@ pub const DEFAULT_RUN_SPEED: f64 = 3.5;
 /// The most steps of a run that changes its speed, or begins or ends otherwise than in full run, walks beside it not counted: it is planned whole.
 pub const CHANGING_RUN_STEPS: usize = 60;
 
+/// The fastest run on the forefoot (m/s).
+pub const FOREFOOT_SPEED: f64 = 3.5;
+
 /// Speeds that the numbers of running are known at (m/s).
 const COLUMNS: [f64; 3] = [2.5, 3.5, 4.5];
 
@@ -54,6 +57,9 @@ pub struct RunRequest {
     pub to: RunEnd,
     /// Whether the left foot touches first, in the walk before it where there is one; else the right one.
     pub left_first: bool,
+    /// Whether it lands on the forefoot, up to 3.5 m/s ([`FOREFOOT_SPEED`]), in full run alone and without a load in one hand; else on the heel.
+    #[doc(alias = "forefoot strike")]
+    pub forefoot: bool,
     /// How finely to plan.
     pub resolution: RunResolution,
 }
@@ -67,6 +73,7 @@ impl Default for RunRequest {
             from: RunEnd::Running,
             to: RunEnd::Running,
             left_first: false,
+            forefoot: false,
             resolution: RunResolution::default(),
         }
     }

@@ -26,6 +26,19 @@ const PRESSURE: [(f64, f64); 10] = [
     (1.0, 1.0),
 ];
 
+/// The same of a foot that lands on its ball: back to the middle as the heel comes down, and forward again.
+const PRESSURE_ON_BALL: [(f64, f64); 9] = [
+    (0.0, 0.80),
+    (0.15, 0.77),
+    (0.28, 0.74),
+    (0.40, 0.64),
+    (0.52, 0.66),
+    (0.65, 0.74),
+    (0.80, 0.86),
+    (0.90, 0.94),
+    (1.0, 1.0),
+];
+
 /// How many harmonics the fore-aft and the lateral force have, and the free moment.
 pub(super) const FORCE: usize = 3;
 pub(super) const TWIST: usize = 2;
@@ -63,7 +76,8 @@ impl ForceLaws {
     /// For a stride of so many nodes, over which the impulses are exact: half the weight's for the vertical force of one foot,
     /// nothing for the fore-aft one.
     pub(super) fn new(style: &RunStyle, nodes: usize) -> Result<Self, ProfileError> {
-        let pressure = CubicSpline::monotone(&PRESSURE)?.into_clip();
+        let keys = if style.lands_on_ball() { &PRESSURE_ON_BALL[..] } else { &PRESSURE };
+        let pressure = CubicSpline::monotone(keys)?.into_clip();
         let mut laws =
             Self { skew: style.skew, impact: style.impact, active: 1.0, even: [0.0; FORCE], pressure };
         let (mut impact, mut active, mut half, mut forces) = (0.0, 0.0, 0.0, [0.0; FORCE]);

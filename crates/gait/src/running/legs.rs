@@ -4,7 +4,7 @@ use super::style::RunStyle;
 use crate::limbs::jet::LegJet;
 use crate::limbs::numbers::{MOST_KNEE_TOE_OFF, STEEPEST_PITCH};
 use crate::limbs::push::Push;
-use crate::limbs::stance::Footing;
+use crate::limbs::stance::{Footing, Landing};
 use crate::limbs::swing::{Clearance, Swing, Toes, Way};
 use crate::request::run::at_speed;
 use solaris_profiles::{Boundary, ProfileError};
@@ -13,6 +13,8 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Duration of the piece that lands the foot (u).
 const LANDING: f64 = 0.025;
+/// How fast the heel of a foot that lands on its ball comes down at first, see [`Landing::Ball`].
+const HEEL_RATE: f64 = 3.0;
 /// When the toes are straight again (x).
 const TOES_STRAIGHT_AT: f64 = 0.35;
 /// By how much the swinging leg leans outward: its ankle passes the standing one 5 cm away.
@@ -41,6 +43,20 @@ impl RunStyle {
     pub(super) fn footing(&self) -> Footing {
         let flat = self.foot_flat * self.duty;
         Footing { yaw: self.foot_yaw, width: self.step_width, flat, toe_off: self.duty, tilt: 0.0 }
+    }
+
+    /// Whether a foot lands on its ball.
+    pub(super) fn lands_on_ball(&self) -> bool {
+        self.heel_strike_angle < 0.0
+    }
+
+    /// How a foot lands.
+    pub(super) fn landing(&self) -> Landing {
+        if self.lands_on_ball() {
+            Landing::Ball { pitch: -self.heel_strike_angle, rate: HEEL_RATE }
+        } else {
+            Landing::Heel
+        }
     }
 
     pub(super) fn push(&self) -> Push {
@@ -98,7 +114,8 @@ impl RunStyle {
             sideways: [0.0; 2],
             outward: OUTWARD,
         };
-        Swing::new(&way, start, end)
+        // The toes of a foot that lands on its ball are bent, and it comes down as the heel goes on to.
+        if self.lands_on_ball() { Swing::until(&way, start, end) } else { Swing::new(&way, start, end) }
     }
 
     /// What is left of a swing that a walk has begun, to its end in a run: the knee bends as much less as the thigh has less far to go.

@@ -149,7 +149,7 @@ impl RunPlan {
             let stood = Stood {
                 landed: after(0.0),
                 flat: after(style.foot_flat),
-                on_ball: false,
+                on_ball: self.style().lands_on_ball(),
                 heel_off: after(style.heel_off),
                 tip_roll: after(style.tip_roll),
                 toe_off: after(1.0),

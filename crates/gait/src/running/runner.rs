@@ -10,7 +10,7 @@ use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
 use crate::request::{
-    Extent, RUN_SPEED, RunEnd, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STEPS, WalkRequest,
+    Extent, FOREFOOT_SPEED, RUN_SPEED, RunEnd, RunRequest, RunWalk, SHORTEST_DISTANCE, STEPS, WalkRequest,
 };
 use crate::smooth::{is_lopsided, walk};
 use solaris_model::Figure;
@@ -54,7 +54,7 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
     let body = Body::of(figure)?.with_legs_alike()?;
     judged(figure, &body, request).map_err(|error| match error {
         GaitError::Plan(PlanError::NotRunnable { speed, what, nearest: advice }) if advice.is_empty() => {
-            let nearest = nearest(&body, speed, request.resolution);
+            let nearest = nearest(&body, speed, request);
             PlanError::NotRunnable { speed, what, nearest }.into()
         }
         error => error,
@@ -65,17 +65,27 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
 pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Result<RunPlan, GaitError> {
     let speed = request.speed;
     range("speed", speed, " m/s", RUN_SPEED, String::new)?;
-    let style = RunStyle::of(body.height, speed);
+    let lopsided = is_lopsided(body);
+    let changes = !request.then.is_empty()
+        || (request.from, request.to) != (RunEnd::Running, RunEnd::Running)
+        || lopsided;
+    if request.forefoot {
+        if changes {
+            let of = "a run that changes its speed, begins or ends otherwise than in full run, or of somebody with a load in one hand";
+            return Err(RequestError::NotOf { option: "forefoot", of }.into());
+        }
+        range("speed", speed, " m/s", (RUN_SPEED.0, FOREFOOT_SPEED), || " on the forefoot".to_owned())?;
+    }
+    let style = style(body, speed, request);
     let steps = steps(request.extent, style.step_length)?;
     let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
     // A stride that repeats itself is one of two sides that are alike; of others each step is planned.
-    let lopsided = is_lopsided(body);
     if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, body).filter(|_| !lopsided) {
         let nearest = String::new();
         return Err(PlanError::NotRunnable { speed, what, nearest }.into());
     }
     let ends = (request.from, request.to);
-    if request.then.is_empty() && ends == (RunEnd::Running, RunEnd::Running) && !lopsided {
+    if !changes {
         return Ok(RunPlan::new(stride, steps, request.left_first));
     }
     if let Extent::Distance(distance) = request.extent {
@@ -134,6 +144,12 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
     // One more lands in the walk; in full run the first one begins with a contact.
     let more = usize::from(!matches!(from, Bound::Running) && matches!(to, Bound::Walking(_)));
     Ok(RunPlan::changing(stride, chain, all.len() + more, request.left_first, walks))
+}
+
+/// The style at a speed (m/s).
+fn style(body: &Body, speed: f64, request: &RunRequest) -> RunStyle {
+    let style = RunStyle::of(body.height, speed);
+    if request.forefoot { style.on_forefoot() } else { style }
 }
 
 /// A walk before a run, which comes out of it in its step `step`, or after one, which goes over into it in that step.
@@ -199,10 +215,11 @@ fn fault(found: &RunExtremes, excess: f64, body: &Body) -> Option<String> {
 }
 
 /// The speed nearest to one that does not hold.
-fn nearest(body: &Body, speed: f64, resolution: RunResolution) -> String {
+fn nearest(body: &Body, speed: f64, request: &RunRequest) -> String {
+    let most = if request.forefoot { FOREFOOT_SPEED } else { RUN_SPEED.1 };
     let holds = |speed: f64| {
-        (RUN_SPEED.0..=RUN_SPEED.1).contains(&speed)
-            && RunStride::plan(body.clone(), &RunStyle::of(body.height, speed), resolution)
+        (RUN_SPEED.0..=most).contains(&speed)
+            && RunStride::plan(body.clone(), &style(body, speed, request), request.resolution)
                 .is_ok_and(|stride| fault(&stride.extremes(INSTANTS), EXCESS, body).is_none())
     };
     let tries = ((RUN_SPEED.1 - RUN_SPEED.0) / TRIED).ceil() as usize;

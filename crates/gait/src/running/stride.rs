@@ -129,9 +129,10 @@ impl RunStride {
             let hip_at = |u: f64, rise: f64| {
                 Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, 2.0 * style.step_length * u)
             };
-            let mut stance = Stance::new(&leg, &style.footing(), Landing::Heel, style.push());
+            let landing = style.landing();
+            let mut stance = Stance::new(&leg, &style.footing(), landing, style.push());
             // At contact the hip is where the foot's pitch and the knee of the style put it.
-            let from_ankle = hip_at(0.0, 0.0) - stance.ankle_on_heel(-style.heel_strike_angle);
+            let from_ankle = hip_at(0.0, 0.0) - stance.landing_ankle(-style.heel_strike_angle);
             let reach = leg.reach_squared(style.knee_contact) - from_ankle.x.powi(2) - from_ankle.z.powi(2);
             let rise = reach.max(1e-6).sqrt() - from_ankle.y;
             for (height, com) in height.iter_mut().zip(&mut com) {
@@ -139,9 +140,13 @@ impl RunStride {
                 com.y += rise;
             }
             let hip = |u: f64| hip_at(u, rise);
-            stance.set_contact(style.contact_knee(), hip)?;
+            // On the ball the pitch of the foot is a law, and the knee follows.
+            let knee = (landing == Landing::Heel).then(|| style.contact_knee());
+            if let Some(knee) = knee {
+                stance.set_contact(knee, hip)?;
+            }
             stance.set_push(hip)?;
-            let contact = stance.contact_jet(Some(style.contact_knee()), hip);
+            let contact = stance.contact_jet(knee, hip);
             let mut swing = style.swing(&stance.toe_off_jet(hip), &contact)?;
             let swinging = (0..n).filter(|&i| clock(i) > style.duty);
             let heights: Vec<(f64, f64)> = swinging.map(|i| (clock(i), hip_nodes[i][1] + rise)).collect();

@@ -89,7 +89,7 @@ run_numbers! {
     /// Part of the stride that a foot is on the ground.
     #[doc(alias = "duty factor")]
     duty: 1.0, [0.378, 0.328, 0.308];
-    /// Foot pitch at contact, toe up.
+    /// Foot pitch at contact, toe up; negative where it lands on its ball, toe down.
     heel_strike_angle: DEGREE, [13.0, 15.0, 16.5];
     /// Knee flexion at contact.
     knee_contact: DEGREE, [13.0, 14.5, 16.0];
@@ -184,6 +184,23 @@ impl RunStyle {
         style.step_width *= height / 1.75;
         style.step_length = 0.5 * speed * style.stride_time;
         style
+    }
+
+    /// The same on the forefoot, for speeds up to [`crate::FOREFOOT_SPEED`]: it lands on the ball with the toes down and the knee more bent, the heel comes down after it, and there is no impact.
+    #[must_use]
+    #[doc(alias = "forefoot strike")]
+    pub fn on_forefoot(self) -> Self {
+        Self {
+            heel_strike_angle: -10.0 * DEGREE,
+            knee_contact: at_speed([20.0, 23.0, 27.0], self.speed) * DEGREE,
+            foot_flat: at_speed([0.25, 0.23, 0.21], self.speed),
+            impact: 0.0,
+            heel_off: 0.50,
+            ankle_65: 2.0 * DEGREE,
+            ankle_85: 5.0 * DEGREE,
+            knee_93: 18.0 * DEGREE,
+            ..self
+        }
     }
 
     /// The same with trunk and arms at rest, as in standing.

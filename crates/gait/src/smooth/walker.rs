@@ -176,7 +176,12 @@ pub(crate) fn styled(figure: &Figure, body: &Body, request: &WalkRequest) -> Res
 ///
 /// As [`styled`].
 pub(crate) fn standing_style(figure: &Figure, body: &Body) -> Result<Style, GaitError> {
-    Planner::after(figure, body, None).standing_style(&WalkRequest::default())
+    let planner = Planner::after(figure, body, None);
+    planner.standing_style(&WalkRequest::default()).or_else(|_| {
+        // Who carries much would walk more slowly than there are walks.
+        let slowest = Some(STEP_FREQUENCY.0);
+        planner.standing_style(&WalkRequest { step_frequency: slowest, ..WalkRequest::default() })
+    })
 }
 
 /// By how much a slope is made gentler (rad), and a pace slower or faster (steps/min), to find one that holds, and how often.
@@ -214,7 +219,7 @@ fn advise_on_ground(
 }
 
 /// How far from the pace that was asked for others are tried for somebody of unusual height (steps/min), and in which steps.
-const OTHER_PACES: (f64, i32) = (2.0, 30);
+const OTHER_PACES: (f64, i32) = (1.0, 60);
 
 /// Says at which pace the walk of somebody of unusual height (m), whose step frequencies are so many times an adult's, holds.
 fn advise_on_pace(

@@ -1,8 +1,8 @@
 //! Walks and runs as plain data: the same as the planners' own requests, and what is wrong is said.
 
 use solaris_gait::{
-    Extent, GaitError, GaitKind, GaitOptions, PartOptions, Repeats, StairOptions, Stairs, StyledRequest,
-    WalkGround, WalkPart, WalkRequest, WalkSegment, sheet_of,
+    Extent, GaitError, GaitKind, GaitOptions, PartOptions, Repeats, RunEndOptions, StairOptions, Stairs,
+    StyledRequest, WalkGround, WalkPart, WalkRequest, WalkSegment, sheet_of,
 };
 use solaris_model::{Figure, human};
 
@@ -82,8 +82,12 @@ fn a_loop_ends_where_it_began_in_whole_frames() {
 
 #[test]
 fn a_run_and_key_postures_are_made() {
-    let run =
-        GaitOptions { gait: GaitKind::Run, speed: Some(3.0), from_standing: true, ..GaitOptions::default() };
+    let run = GaitOptions {
+        gait: GaitKind::Run,
+        speed: Some(3.0),
+        from: RunEndOptions::Standing,
+        ..GaitOptions::default()
+    };
     let made = run.make(&ann()).expect("a run");
     assert!(made.run.is_some() && made.plan.style_name() == "run");
     let thesis = GaitOptions { determinants: Some(3), step_frequency: Some(95.0), ..GaitOptions::default() };
@@ -112,9 +116,10 @@ fn what_contradicts_itself_or_is_not_known_is_refused() {
             GaitOptions { gait: GaitKind::Run, determinants: Some(3), ..usual.clone() },
             "determinants is given",
         ),
+        (GaitOptions { forefoot: true, ..usual.clone() }, "forefoot is given, which is not of a walk"),
         (
-            GaitOptions { from_standing: true, ..usual.clone() },
-            "from_standing is given, which is not of a walk",
+            GaitOptions { from: RunEndOptions::Standing, ..usual.clone() },
+            "from is given, which is not of a walk",
         ),
         (
             GaitOptions { determinants: Some(4), ..usual.clone() },

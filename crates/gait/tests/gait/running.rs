@@ -4,10 +4,10 @@ use crate::golden::{Differences, Worst, golden, golden_figure, number, running_g
 use serde_json::Value;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
 use solaris_gait::{
-    Extent, Prescribing, RUN_FRICTION, RunPlan, RunRequest, RunResolution, RunStride, RunStyle, SteadyRun,
-    StyledPlan, Walking, measure, measure_run, run, run_bands,
+    Extent, Prescribing, RUN_FRICTION, RunEnd, RunPlan, RunRequest, RunResolution, RunStride, RunStyle,
+    SteadyRun, StyledPlan, Walking, measure, measure_run, run, run_bands,
 };
-use solaris_model::{Figure, Motion, Trajectory, Vector3, human};
+use solaris_model::{Figure, Motion, SolePart, Trajectory, Vector3, human};
 
 /// Returns the greatest difference of the angular momentum (N m s).
 fn compare(figure: &Figure, golden: &Value, stride: &RunStride, differences: &mut Differences) -> Worst {
@@ -101,16 +101,32 @@ fn needed(figure: &Figure, motion: &Motion) -> Vec<(Vector3<f64>, Vector3<f64>, 
         .collect()
 }
 
-/// A run of a person of a height (m) and a mass (kg) at a speed (m/s), four samples a node.
-fn runner(height: f64, mass: f64, speed: f64) -> (Figure, RunPlan) {
+/// A run of a person of a height (m) and a mass (kg) at a speed (m/s), on the heel or the forefoot.
+fn runner(height: f64, mass: f64, (speed, forefoot): (f64, bool)) -> (Figure, RunPlan) {
     let figure = human(height, mass).expect("a person");
-    let request = RunRequest { speed, extent: Extent::Steps(4), ..RunRequest::default() };
+    let request = RunRequest { speed, forefoot, extent: Extent::Steps(4), ..RunRequest::default() };
     let plan = run(&figure, &request).expect("a run");
     (figure, plan)
 }
 
 const PEOPLE: [(f64, f64); 3] = [(1.75, 73.0), (1.5, 48.0), (1.9, 85.0)];
-const SPEEDS: [f64; 9] = [1.0, 1.5, 2.2, 2.5, 3.0, 3.5, 4.5, 5.0, 6.0];
+/// Speeds (m/s), and whether on the forefoot.
+const SPEEDS: [(f64, bool); 14] = [
+    (1.0, false),
+    (1.5, false),
+    (2.2, false),
+    (2.5, false),
+    (3.0, false),
+    (3.5, false),
+    (4.5, false),
+    (5.0, false),
+    (6.0, false),
+    (1.0, true),
+    (2.0, true),
+    (2.8, true),
+    (3.5, true),
+    (3.3, true),
+];
 
 /// The force of the whole body is the law's, and none in flight, by inverse dynamics that knows no plan; velocities and accelerations
 /// are differences of the configuration.
@@ -135,10 +151,10 @@ fn the_body_needs_the_prescribed_forces_and_none_in_flight() {
                 }
             }
             println!(
-                "{height} m at {speed} m/s: {stance:.2} N off in stance, {flight:.2} N in flight; {rotating:.1} and {moment:.1} N m"
+                "{height} m at {speed:?} m/s: {stance:.2} N off in stance, {flight:.2} N in flight; {rotating:.1} and {moment:.1} N m"
             );
             let weight = plan.weight();
-            assert!(flight < 5e-4 * weight && stance < 5e-4 * weight, "{height} m, {speed} m/s");
+            assert!(flight < 5e-4 * weight && stance < 5e-4 * weight, "{height} m, {speed:?} m/s");
             assert!(moment < 0.01 * weight * height && rotating < 0.02 * weight * height);
         }
     }
@@ -156,7 +172,7 @@ fn soles_and_knees_do_what_they_can() {
             let measured = measure(&figure, &motion).expect("measures");
             let found = &measured.extremes;
             println!(
-                "{height} m at {speed} m/s: slide {:.1e} m, sink {:.1e} m, friction {:.2}, knee {:.1}°, pressure {:.1e} m outside, clearance {:.1e} m; {forces:?}",
+                "{height} m at {speed:?} m/s: slide {:.1e} m, sink {:.1e} m, friction {:.2}, knee {:.1}°, pressure {:.1e} m outside, clearance {:.1e} m; {forces:?}",
                 found.slide.value,
                 found.sink.value,
                 found.foot_friction.value,
@@ -164,7 +180,7 @@ fn soles_and_knees_do_what_they_can() {
                 found.cop_outside.value,
                 found.clearance.value
             );
-            assert!(found.slide.value < 1e-4 && found.sink.value < 1e-9);
+            assert!(found.slide.value < 1e-4 && found.sink.value < if speed.1 { 5e-4 } else { 1e-9 });
             assert!(found.foot_friction.value < RUN_FRICTION && found.least_knee.value > 0.05);
             assert!(found.cop_outside.value < 0.0105 * height && found.clearance.value > 0.01);
             assert_eq!((measured.steps, measured.double_supports.len()), (4, 0));
@@ -289,6 +305,48 @@ fn the_other_foot_first_is_the_mirror_image() {
         assert!((l[0].moment.y + r[1].moment.y).abs() < 1e-9);
     }
     assert_eq!(right.events().len(), 21);
+}
+
+/// On the forefoot the ball touches before the heel, the force rises once, and the knee is more bent; a foot on the forefoot is asked for in full run alone.
+#[test]
+fn the_forefoot_lands_before_the_heel() {
+    let (figure, plan) = runner(1.75, 73.0, (3.0, true));
+    let motion = plan.motion(&figure, 1000.0).expect("samples");
+    let tree = Tree::<f64>::new(&figure, motion.info.gravity).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    let foot = figure.link_index("right_foot").expect("a foot");
+    let mut height = |time: f64, part: SolePart| {
+        let row = motion.time().partition_point(|t| *t < time - 1e-9);
+        center_of_mass(&tree, &mut workspace, motion.q(row)).expect("poses");
+        let point = figure.links()[foot].sole_point(part).expect("a point of the sole");
+        workspace.pose(foot).transform(point).y
+    };
+    let style = *plan.style();
+    let (touches, flat) = (0.0, style.foot_flat * style.contact_time());
+    assert!(height(touches, SolePart::Heel) > 0.02 && height(touches, SolePart::Ball) < 1e-3);
+    assert!(height(flat, SolePart::Heel) < 1e-3);
+    // Up to its greatest value, and down.
+    let vertical: Vec<f64> =
+        (0..200).map(|i| plan.contacts(f64::from(i) / 200.0 * style.contact_time())[1].force.y).collect();
+    let turns = vertical.windows(3).filter(|w| (w[1] - w[0]) * (w[2] - w[1]) < 0.0).count();
+    assert_eq!(turns, 1);
+    assert!(style.knee_contact > RunStyle::of(1.75, 3.0).knee_contact);
+
+    // Of bands two are of heels.
+    let request = RunRequest { speed: 3.0, forefoot: true, ..RunRequest::default() };
+    let styled = StyledPlan::Run(Box::new(run(&figure, &request).expect("a run")));
+    let steady = styled.steady_run(&figure).expect("measures").expect("a run");
+    let report = run_bands(&steady);
+    assert!(steady.on_forefoot && report.of == 20 && report.inside >= 19, "{report:?}");
+    assert!(!self::steady(&figure, &RunStyle::of(1.75, 3.0), RunResolution::default()).on_forefoot);
+
+    let refused = |request: RunRequest| {
+        run(&figure, &RunRequest { forefoot: true, ..request }).map(|_| ()).expect_err("no run").to_string()
+    };
+    let fast = refused(RunRequest { speed: 4.2, ..RunRequest::default() });
+    assert_eq!(fast, "speed 4.2 m/s: it must be 1 to 3.5 m/s on the forefoot");
+    let started = refused(RunRequest { speed: 3.0, from: RunEnd::Standing, ..RunRequest::default() });
+    assert!(started.contains("forefoot is given, which is not of a run that changes"), "{started}");
 }
 
 /// One stride repeats itself without a seam, and there is one of any run of two steps.

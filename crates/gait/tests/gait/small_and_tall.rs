@@ -32,11 +32,14 @@ fn they_walk_or_are_told_at_which_pace() {
                     let pace: f64 =
                         pace.unwrap_or_else(|| panic!("{height} m at {step_frequency}: {what}; {nearest}"));
                     holds(&figure, pace).unwrap_or_else(|why| panic!("{height} m at {pace}: {why}"));
+                    // None that is nearer does.
+                    let nearer = pace + (step_frequency - pace).signum();
+                    assert!((nearer - step_frequency).abs() < 0.5 || walk(&figure, &asked(nearer)).is_err());
                 }
                 Err(why) => panic!("{height} m at {step_frequency}: {why}"),
             }
         }
-        // People's own pace is walked by all.
+        // People's own pace is walked by all, as far as it is one of the walker's.
         let own = 110.0 * (1.75 / height).sqrt();
         holds(&figure, own.min(130.0)).unwrap_or_else(|why| panic!("{height} m: {why}"));
     }

@@ -22,13 +22,22 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         {
             return Err(CliError::option(option, &end.typed, "a stride that repeats is one of full run"));
         }
+        let changes =
+            ends(args).any(|(_, bound)| bound.end != RunEnd::Running) || !args.changes.then.is_empty();
+        if args.manner.forefoot && changes {
+            let why = "a run has this in full run alone, without --from, --to and --then";
+            return Err(CliError::option("forefoot", "", why));
+        }
         return of_walks(args).map_or(Ok(()), |(option, typed)| {
             Err(CliError::option(
                 option,
                 &typed,
-                "a run has no such option: it has --speed, --steps or --distance, --from, --to, --then, --first and --loop",
+                "a run has no such option: it has --speed, --steps or --distance, --forefoot, --from, --to, --then, --first and --loop",
             ))
         });
+    }
+    if args.manner.forefoot {
+        return Err(CliError::option("forefoot", "", "only --gait run has this; a walk lands on its heels"));
     }
     if let Some((option, end)) = ends(args).next() {
         return Err(CliError::option(
