@@ -3,6 +3,7 @@
 mod again;
 mod alone;
 mod book;
+mod chair;
 #[cfg(unix)]
 mod commands;
 mod disk_full;

@@ -80,19 +80,23 @@ fn forward_from(
             planner.planned_on(&request, part, route).is_ok()
         };
         let error = options::advise(error, &route, body, &request.parameters, holds);
-        if !is_unusual(body) || request.step_length.is_some() {
-            return Err(advise(error, &route, |route| planner.planned_on(request, part, route).is_ok()));
+        // A pace that holds is told below.
+        if has_other_paces(body, request) {
+            return Err(error);
         }
-        let tempo = Styling::of(request, body, part).law.tempo;
-        Err(advise_on_pace(error, (body.height, tempo), request, |other| {
-            planner.planned(other, part).is_ok()
-        }))
+        Err(advise(error, &route, |route| planner.planned_on(request, part, route).is_ok()))
     };
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
             let error = nearest_part(error, request, |part| planned(&shortened(request), part));
             let holds = |request: &WalkRequest| planner.planned_at_pace(&shortened(request), 1.0).is_ok();
-            return advise_on_ground(error, request, holds);
+            let error = advise_on_ground(error, request, holds);
+            if !has_other_paces(body, request) {
+                return error;
+            }
+            let tempo = Styling::of(request, body, 1.0).law.tempo;
+            let holds = |other: &WalkRequest| planner.planned(other, 1.0).is_ok();
+            return advise_on_pace(error, (body.height, tempo), request, holds);
         }
         match planner.route(request, 1.0) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {
@@ -218,6 +222,14 @@ fn advise_on_ground(
     PlanError::TooSteep { step, time, what, nearest }.into()
 }
 
+/// Whether somebody is of unusual height, and other paces may hold on level ground.
+fn has_other_paces(body: &Body, request: &WalkRequest) -> bool {
+    is_unusual(body)
+        && request.step_length.is_none()
+        && request.path.is_none()
+        && request.ground == WalkGround::Level
+}
+
 /// How far from the pace that was asked for others are tried for somebody of unusual height (steps/min), and in which steps.
 const OTHER_PACES: (f64, i32) = (1.0, 60);
 
@@ -247,8 +259,9 @@ fn advise_on_pace(
         let (step_length, speed) = (None, None);
         holds(&WalkRequest { step_frequency: Some(*pace), step_length, speed, extent, ..request.clone() })
     });
+    let alone = if request.speed.is_some() { ", with no speed given" } else { "" };
     let nearest = match found {
-        Some(pace) => format!("the nearest pace that holds is {pace} steps/min"),
+        Some(pace) => format!("the nearest pace that holds is {pace} steps/min{alone}"),
         None => "no pace near to it holds".to_owned(),
     };
     PlanError::Pace { height, step_frequency, what, nearest }.into()

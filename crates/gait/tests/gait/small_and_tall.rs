@@ -1,6 +1,6 @@
 //! People smaller and taller than those whom the laws were tried with: their walks hold, or are refused with a pace that does.
 
-use solaris_gait::{Extent, GaitError, PlanError, StyledPlan, WalkRequest, measure, walk};
+use solaris_gait::{Extent, GaitError, PlanError, StyledPlan, WalkRequest, manner, measure, walk};
 use solaris_model::{Figure, human};
 
 fn asked(step_frequency: f64) -> WalkRequest {
@@ -45,4 +45,19 @@ fn they_walk_or_are_told_at_which_pace() {
     }
     println!("{walked} walked; refused: {refused:#?}");
     assert!(walked >= 80, "{walked}");
+}
+
+#[test]
+fn who_walks_in_a_manner_or_at_a_speed_is_told_too() {
+    let figure = human(0.9, 19.0).expect("a person");
+    let refused =
+        |request: WalkRequest| walk(&figure, &request).map(|_| ()).expect_err("no walk").to_string();
+    let sad = WalkRequest { sheet: manner("sad").expect("a manner"), ..asked(61.0) };
+    let why = refused(sad);
+    println!("{why}");
+    assert!(why.contains("somebody of 0.9 m at 61 steps/min") && why.contains("the nearest pace"), "{why}");
+    let slow = WalkRequest { step_frequency: None, speed: Some(0.2), ..asked(61.0) };
+    let why = refused(slow);
+    println!("{why}");
+    assert!(why.ends_with("steps/min, with no speed given"), "{why}");
 }
