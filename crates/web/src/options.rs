@@ -4,9 +4,9 @@ use crate::failed;
 use crate::figure::HumanOptions;
 use crate::walk::WalkOptions;
 use js_sys::{Array, Reflect};
-use solaris::gait::{
-    GaitKind, GaitOptions, PartOptions, Repeats, RunEndOptions, RunWalkOptions, StairOptions,
-};
+#[cfg(feature = "usual")]
+use solaris::gait::RunWalkOptions;
+use solaris::gait::{GaitKind, GaitOptions, PartOptions, Repeats, RunEndOptions, StairOptions};
 use solaris::model::{Human, nearest};
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsError, JsValue};
@@ -80,6 +80,7 @@ fn stairs(at: &str, given: JsValue) -> Result<StairOptions, JsError> {
 }
 
 /// How a run begins or ends, by the names of its two options.
+#[cfg(feature = "usual")]
 fn run_end(
     fields: &mut Fields<'_>,
     [standing, walking]: [&'static str; 2],
@@ -92,6 +93,14 @@ fn run_end(
     }
 }
 
+/// Without runs nothing is said of them.
+#[cfg(not(feature = "usual"))]
+#[allow(clippy::unnecessary_wraps, reason = "as with runs")]
+fn run_end(_: &mut Fields<'_>, _: [&'static str; 2]) -> Result<RunEndOptions, JsError> {
+    Ok(RunEndOptions::Running)
+}
+
+#[cfg(feature = "usual")]
 fn run_walk(at: &str, given: JsValue) -> Result<RunWalkOptions, JsError> {
     let mut fields = Fields::new(&given, at)?;
     let walk = RunWalkOptions { steps: fields.count("steps")?, speed: fields.number("speed")? };

@@ -63,14 +63,14 @@ impl GaitOptions {
             let of = if is_run { "a run" } else { "a walk through key postures (determinants)" };
             return Err(RequestError::NotOf { option, of });
         }
-        let of_runs =
-            [("from", self.from != RunEndOptions::Running), ("to", self.to != RunEndOptions::Running)];
-        if self.forefoot && !is_run {
-            return Err(RequestError::NotOf { option: "forefoot", of: "a walk, which lands on its heels" });
-        }
+        let of_runs = [
+            ("forefoot", self.forefoot),
+            ("from", self.from != RunEndOptions::Running),
+            ("to", self.to != RunEndOptions::Running),
+        ];
         let bound = of_runs.into_iter().find(|(_, given)| *given);
         if let Some((option, _)) = bound.filter(|_| !is_run) {
-            return Err(RequestError::NotOf { option, of: "a walk, which begins and ends in standing" });
+            return Err(RequestError::NotOf { option, of: "a walk" });
         }
         let looped = self.repeats.is_some();
         let both = [

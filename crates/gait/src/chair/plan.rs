@@ -78,7 +78,10 @@ pub fn chair(figure: &Figure, request: &ChairRequest) -> Result<ChairPlan, GaitE
         None => "it needs another seat, or other shanks".to_owned(),
     };
     let shank = request.shank.to_degrees();
-    Err(PlanError::NoRise { seat, duration: one_way, shank, what, nearest }.into())
+    let what = format!(
+        "from a seat of {seat:.3} m in {one_way:.2} s with shanks that lean forward by {shank:.0}°: {what}"
+    );
+    Err(PlanError::NoRise { what, nearest }.into())
 }
 
 impl ChairPlan {

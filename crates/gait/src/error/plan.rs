@@ -22,8 +22,6 @@ pub enum PlanError {
          style"
     )]
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
-    #[error("somebody of {height} m at {step_frequency} steps/min: {what}; {nearest}")]
-    Pace { height: f64, step_frequency: f64, what: String, nearest: String },
     #[error(
         "{options} with steps of {step_length:.3} m at {step_frequency} steps/min: {what}; the nearest that holds is {nearest}"
     )]
@@ -41,10 +39,8 @@ pub enum PlanError {
     OnlyPart { part: f64, why: Box<crate::error::GaitError> },
     #[error("a run at {speed:.2} m/s: {what}; {nearest}")]
     NotRunnable { speed: f64, what: String, nearest: String },
-    #[error(
-        "from a seat of {seat:.3} m in {duration:.2} s with shanks that lean forward by {shank:.0}°: {what}; {nearest}"
-    )]
-    NoRise { seat: f64, duration: f64, shank: f64, what: String, nearest: String },
+    #[error("{what}; {nearest}")]
+    NoRise { what: String, nearest: String },
     #[error(
         "step {step}: about {place:.2} m along the way no foot finds a place: a sole needs {} of ground that is even to within 2 mm and rises \
          by no more than 16°, no more than 16° above or below the foot before; smooth the ground, or change the step length or the number of steps",

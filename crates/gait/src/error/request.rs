@@ -85,8 +85,6 @@ pub enum RequestError {
         "a run of {distance} m that changes its speed: how far its steps go is found with them; say how many they are"
     )]
     RunDistance { distance: f64 },
-    #[error("to stand up and sit down {times} times; it must be {fewest} to {most} times")]
-    ChairTimes { times: usize, fewest: usize, most: usize },
     #[error("there is no manner '{name}'; {known}")]
     UnknownManner { name: String, known: String },
     #[error("{part:?} of the manner '{manner}': it must be a number from 0 to {most}, as in sad:0.6")]

@@ -110,12 +110,11 @@ impl ChairRequest {
     pub(crate) fn check(&self) -> Result<(), RequestError> {
         let degrees = [SHANK.0, SHANK.1].map(f64::to_degrees);
         in_range("shank", self.shank.to_degrees(), "°", degrees)?;
-        match self.motion {
-            ChairMotion::RiseAndSit(times) if !(CHAIR_TIMES.0..=CHAIR_TIMES.1).contains(&times) => {
-                Err(RequestError::ChairTimes { times, fewest: CHAIR_TIMES.0, most: CHAIR_TIMES.1 })
-            }
-            _ => Ok(()),
+        if let ChairMotion::RiseAndSit(times) = self.motion {
+            let [fewest, most] = [CHAIR_TIMES.0, CHAIR_TIMES.1].map(|times| times as f64);
+            in_range("times", times as f64, "", [fewest, most])?;
         }
+        Ok(())
     }
 }
 

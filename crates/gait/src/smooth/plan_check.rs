@@ -68,9 +68,9 @@ pub(crate) struct PlanCheck<'a> {
 }
 
 /// Why steps of a pace cannot be walked.
-pub(super) fn not_walkable(pace: Pace, what: &impl ToString) -> PlanError {
+pub(super) fn not_walkable(pace: Pace, what: String) -> PlanError {
     let Pace { step_length, step_frequency } = pace;
-    PlanError::NotWalkable { step_length, step_frequency: tidy(step_frequency), what: what.to_string() }
+    PlanError::NotWalkable { step_length, step_frequency: tidy(step_frequency), what }
 }
 
 impl PlanCheck<'_> {
@@ -271,7 +271,7 @@ impl PlanCheck<'_> {
             return PlanError::TooSteep { step, time: plan.time(clock), what, nearest }.into();
         }
         if self.route.is_even() {
-            return not_walkable(self.route.pace(), &what).into();
+            return not_walkable(self.route.pace(), what).into();
         }
         let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
         PlanError::AbruptChange { part: self.route.part_of(step), step, time: plan.time(clock), what }.into()

@@ -215,7 +215,9 @@ impl<'a> Planner<'a> {
         };
         let plan = planned(route).map_err(|error| match error {
             // Laws of people of usual height that leave no room for one another.
-            GaitError::Profile(why) if is_unusual(self.body) => not_walkable(route.pace(), &why).into(),
+            GaitError::Profile(why) if is_unusual(self.body) => {
+                not_walkable(route.pace(), why.to_string()).into()
+            }
             error => error,
         })?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());

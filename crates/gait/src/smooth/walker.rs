@@ -11,7 +11,6 @@ use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::planner::{Planner, is_unusual};
 use crate::smooth::route::{DECIDE, Route};
 use crate::smooth::style::Style;
-use crate::smooth::styling::Styling;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
 use std::borrow::Cow;
@@ -94,9 +93,8 @@ fn forward_from(
             if !has_other_paces(body, request) {
                 return error;
             }
-            let tempo = Styling::of(request, body, 1.0).law.tempo;
             let holds = |other: &WalkRequest| planner.planned(other, 1.0).is_ok();
-            return advise_on_pace(error, (body.height, tempo), request, holds);
+            return advise_on_pace(error, body.height, request, &holds);
         }
         match planner.route(request, 1.0) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {
@@ -230,41 +228,38 @@ fn has_other_paces(body: &Body, request: &WalkRequest) -> bool {
         && request.ground == WalkGround::Level
 }
 
-/// How far from the pace that was asked for others are tried for somebody of unusual height (steps/min), and in which steps.
-const OTHER_PACES: (f64, i32) = (1.0, 60);
+/// How far from the pace that was asked for others are tried for somebody of unusual height (steps/min).
+const OTHER_PACES: u32 = 60;
 
-/// Says at which pace the walk of somebody of unusual height (m), whose step frequencies are so many times an adult's, holds.
+/// Says at which pace the walk of somebody of unusual height (m) holds; one that is out of range does not.
 fn advise_on_pace(
     error: GaitError,
-    (height, tempo): (f64, f64),
+    height: f64,
     request: &WalkRequest,
-    holds: impl Fn(&WalkRequest) -> bool,
+    holds: &dyn Fn(&WalkRequest) -> bool,
 ) -> GaitError {
-    let (step_frequency, what) = match error {
-        GaitError::Plan(PlanError::NotWalkable { step_frequency, what, .. }) => (step_frequency, what),
-        GaitError::Plan(PlanError::Friction { step_frequency, whose, friction, limit, .. }) => {
-            (step_frequency, PlanCheck::friction(whose, friction, limit))
+    let (step_length, step_frequency, what) = match &error {
+        GaitError::Plan(PlanError::NotWalkable { step_length, step_frequency, what }) => {
+            (*step_length, *step_frequency, what.clone())
         }
-        error => return error,
+        GaitError::Plan(PlanError::Friction {
+            step_length, step_frequency, whose, friction, limit, ..
+        }) => (*step_length, *step_frequency, PlanCheck::friction(whose, *friction, *limit)),
+        _ => return error,
     };
-    let extent = match request.extent {
-        Extent::Steps(steps) if steps > DECIDE => Extent::Steps(DECIDE),
-        extent => extent,
-    };
-    let paces = (1..=OTHER_PACES.1)
-        .flat_map(|k| [-k, k])
-        .map(|k| step_frequency.round() + f64::from(k) * OTHER_PACES.0);
-    let range = STEP_FREQUENCY.0 * tempo..=STEP_FREQUENCY.1 * tempo;
-    let found = paces.filter(|pace| range.contains(pace)).find(|pace| {
-        let (step_length, speed) = (None, None);
-        holds(&WalkRequest { step_frequency: Some(*pace), step_length, speed, extent, ..request.clone() })
+    let mut other = WalkRequest { step_length: None, speed: None, ..request.clone() };
+    if matches!(other.extent, Extent::Steps(steps) if steps > DECIDE) {
+        other.extent = Extent::Steps(DECIDE);
+    }
+    let found = (2..2 * OTHER_PACES).find_map(|k| {
+        let away = f64::from(k / 2);
+        let pace = step_frequency.round() + if k % 2 == 0 { -away } else { away };
+        other.step_frequency = Some(pace);
+        holds(&other).then_some(pace)
     });
-    let alone = if request.speed.is_some() { ", with no speed given" } else { "" };
-    let nearest = match found {
-        Some(pace) => format!("the nearest pace that holds is {pace} steps/min{alone}"),
-        None => "no pace near to it holds".to_owned(),
-    };
-    PlanError::Pace { height, step_frequency, what, nearest }.into()
+    let Some(pace) = found else { return error };
+    let (options, nearest) = (format!("a height of {height} m"), format!("{pace} steps/min"));
+    PlanError::Options { options, step_length, step_frequency, what, nearest }.into()
 }
 
 /// Says where on a path the walk does not hold, and the next slower step frequency at which it does.
