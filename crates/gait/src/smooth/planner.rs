@@ -7,6 +7,7 @@ use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
 use crate::smooth::route::Route;
+use crate::smooth::stairs::StairVariant;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
 use crate::smooth::walk::{Easing, Terrain, WalkNumbers, WalkPlan, steps};
@@ -16,6 +17,25 @@ use solaris_model::Figure;
 const OTHER_STEPS: [f64; 8] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85, 1.08, 1.13];
 /// The same on slopes, where slow walks need longer ones.
 const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.88];
+
+/// Parts of the usual pace with which stairs are tried again where none is asked for.
+const OTHER_PACES_ON_STAIRS: [f64; 2] = [0.92, 1.08];
+
+/// The usual route up or down stairs in other ways to take them, and at other paces where none is asked for.
+fn over_stairs(request: &WalkRequest, usual: &Route, rise: f64) -> Vec<Route> {
+    let others = if rise > 0.0 { StairVariant::UP } else { StairVariant::DOWN };
+    let varied = others.map(|stairs| usual.on_stairs(stairs));
+    let is_free =
+        request.step_frequency.is_none() && request.speed.is_none() && request.step_length.is_none();
+    let paced = |part: f64| {
+        let Pace { step_frequency, step_length } = usual.pace();
+        let pace = Pace { step_frequency: part * step_frequency, step_length };
+        [usual, &varied[0]].map(|route| route.with_pace(pace, None))
+    };
+    let paces = OTHER_PACES_ON_STAIRS.iter().filter(|_| is_free).flat_map(|&part| paced(part));
+    let paces: Vec<Route> = paces.collect();
+    varied.into_iter().chain(paces).collect()
+}
 
 /// The usual route with other steps, as far as a request leaves them open: of other lengths, as many as lead to its distance, and at another frequency
 /// where a speed alone is asked for on a slope.
@@ -51,6 +71,7 @@ fn with_other_steps(request: &WalkRequest, usual: &Route, tempo: f64, parts: &[f
 fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> {
     match request.ground {
         WalkGround::Footholds(_) => vec![usual.otherwise()],
+        WalkGround::Stairs(stairs) => over_stairs(request, usual, stairs.rise),
         WalkGround::Slope(_) => with_other_steps(request, usual, tempo, &OTHER_STEPS_ON_SLOPES),
         WalkGround::Relief(_) => {
             let other = with_other_steps(request, usual, tempo, &OTHER_STEPS);
@@ -60,7 +81,7 @@ fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> 
             let over_edges: Vec<Route> = std::iter::once(usual).chain(&other).map(Route::otherwise).collect();
             other.into_iter().chain(over_edges).collect()
         }
-        _ => Vec::new(),
+        WalkGround::Level => Vec::new(),
     }
 }
 

@@ -12,6 +12,7 @@ use crate::smooth::distance::to_distance;
 use crate::smooth::ends::{ENDS, eased};
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
+use crate::smooth::stairs::StairVariant;
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::{Gone, Styling};
@@ -223,6 +224,11 @@ impl Route {
         Self { way: Way { otherwise: true, ..self.way }, ..self.clone() }
     }
 
+    /// The same in another way to take stairs.
+    pub(crate) fn on_stairs(&self, stairs: StairVariant) -> Self {
+        Self { way: Way { stairs, ..self.way }, ..self.clone() }
+    }
+
     /// The same, slower at its ends.
     pub(crate) fn eased(&self, easing: Easing) -> Self {
         Self { way: Way { easing, ..self.way }, ..self.clone() }
@@ -316,7 +322,7 @@ impl Route {
                 StepKind::Stairs { rise, tread } => Style {
                     foot_yaw: level.foot_yaw,
                     manner: level.manner,
-                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise)
+                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise).varied(&self.way.stairs)
                 },
             })
         };
