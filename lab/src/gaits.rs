@@ -3,24 +3,26 @@
 
 use crate::workspace::{cargo, cargo_with};
 
-/// How many smooth walks, if not so many as `nightly` has.
+/// How many smooth walks, if not so many as `nightly` has, and from which on of those that there are.
 #[derive(Debug, Default)]
 pub(crate) struct Options {
     walks: Option<u64>,
+    from: Option<u64>,
 }
 
 impl Options {
     /// Of the words of a command.
     pub(crate) fn parse(words: &[&str]) -> Result<Self, String> {
-        match words {
-            [] => Ok(Self::default()),
-            ["--walks", count] => {
-                let walks =
-                    count.parse().map_err(|_| format!("--walks {count}: it must be a whole number"))?;
-                Ok(Self { walks: Some(walks) })
-            }
-            _ => Err(format!("gaits {}: it takes --walks N alone", words.join(" "))),
+        let mut options = Self::default();
+        for pair in words.chunks(2) {
+            let (number, word, count) = match pair {
+                ["--walks", count] => (&mut options.walks, "--walks", count),
+                ["--from", count] => (&mut options.from, "--from", count),
+                _ => return Err(format!("gaits {}: it takes --walks N and --from N alone", words.join(" "))),
+            };
+            *number = Some(count.parse().map_err(|_| format!("{word} {count}: it must be a whole number"))?);
         }
+        Ok(options)
     }
 }
 
@@ -33,6 +35,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     if options.walks.is_none() {
         cargo(&of("a_million_requests"))?;
     }
-    let walks = options.walks.map(|walks| ("SOLARIS_WALKS", walks.to_string()));
-    cargo_with(&of("thousands_of_walks"), walks.as_slice())
+    let said = [("SOLARIS_WALKS", options.walks), ("SOLARIS_WALKS_FROM", options.from)];
+    let said = said.into_iter().filter_map(|(name, number)| Some((name, number?.to_string())));
+    cargo_with(&of("thousands_of_walks"), &said.collect::<Vec<_>>())
 }

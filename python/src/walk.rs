@@ -132,7 +132,7 @@ pub(crate) enum End<'py> {
 /// Plans a run of 1 to 6 m/s, with its forces.
 ///
 /// `start` and `end` are `"running"` (the default), `"standing"`, `"walking"`, or a dictionary with the walk's `steps` and `speed`; `then` is a list of dictionaries with the keys `steps` and `speed`. `forefoot` lands on the ball of the
-/// foot, up to 3.5 m/s and in full run alone. The rest is as for `walk`.
+/// foot, up to 3.5 m/s and in full run alone; `give` is by how much its soles give (m, up to 0.015), in full run alone. The rest is as for `walk`.
 ///
 /// >>> import solaris
 /// >>> run = solaris.run_gait(speed=3.5, steps=6)
@@ -145,7 +145,7 @@ pub(crate) enum End<'py> {
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start=None,
-    end=None, forefoot=false, left_first=false, r#loop=None, rate=None
+    end=None, forefoot=false, give=None, left_first=false, r#loop=None, rate=None
 ))]
 pub(crate) fn run_gait(
     py: Python<'_>,
@@ -160,6 +160,7 @@ pub(crate) fn run_gait(
     start: Option<End<'_>>,
     end: Option<End<'_>>,
     forefoot: bool,
+    give: Option<f64>,
     left_first: bool,
     r#loop: Option<&str>,
     rate: Option<f64>,
@@ -190,6 +191,7 @@ pub(crate) fn run_gait(
         distance,
         then: then.unwrap_or_default().iter().map(part).collect::<PyResult<_>>()?,
         forefoot,
+        give,
         from: bound("start", start)?,
         to: bound("end", end)?,
         left_first: Some(left_first),

@@ -63,9 +63,9 @@ pub use measure::{
 pub use request::{
     CHAIR_TIMES, CHANGING_RUN_STEPS, CHANGING_STEPS, ChairMotion, ChairRequest, Change, DEFAULT_RUN_SPEED,
     DEFAULT_STEP_FREQUENCY, Extent, FOREFOOT_SPEED, Foothold, MOST_VARIABILITY, Population, RUN_SPEED,
-    Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, STAIR_COUNT,
-    STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround,
-    WalkPart, WalkPath, WalkRequest,
+    Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, SOLE_GIVE,
+    STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO,
+    WalkGround, WalkPart, WalkPath, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{

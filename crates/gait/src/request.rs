@@ -19,7 +19,7 @@ pub use population::Population;
 pub use resolution::Resolution;
 pub use run::{
     CHANGING_RUN_STEPS, DEFAULT_RUN_SPEED, FOREFOOT_SPEED, RUN_SPEED, RunEnd, RunPart, RunRequest,
-    RunResolution, RunWalk,
+    RunResolution, RunWalk, SOLE_GIVE,
 };
 pub use sheet::{Change, StyleSheet};
 pub use variability::{MOST_VARIABILITY, Variability};

@@ -26,6 +26,7 @@ mod stride;
 mod style;
 mod styling;
 mod unsteady;
+mod variant;
 mod walk;
 mod walker;
 

@@ -43,6 +43,7 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         style: fields.get("style", named)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
         forefoot: fields.flag("forefoot")?.unwrap_or_default(),
+        give: fields.number("give")?,
         from: run_end(&mut fields, ["fromStanding", "fromWalking"])?,
         to: run_end(&mut fields, ["toStanding", "toWalking"])?,
         repeats: fields.one_of("loop", [("moving", Repeats::Moving), ("in_place", Repeats::InPlace)])?,

@@ -56,8 +56,9 @@ export interface WalkOptions {
   /** Numbers of the style by name, in their units: { armSwing: 10 }. */
   style?: Record<string, number>;
   leftFirst?: boolean;
-  /** Of a run: on the forefoot, how it begins and ends. */
+  /** Of a run: on the forefoot, by how much its soles give (m), how it begins and ends. */
   forefoot?: boolean;
+  give?: number;
   fromStanding?: boolean;
   toStanding?: boolean;
   /** The walk out of which a run comes, and the one into which it goes over. */

@@ -493,6 +493,7 @@ def run_gait(
     start: Union[Literal["running", "standing", "walking"], Mapping[str, float], None] = None,
     end: Union[Literal["running", "standing", "walking"], Mapping[str, float], None] = None,
     forefoot: bool = False,
+    give: Optional[float] = None,
     left_first: bool = False,
     loop: Optional[Literal["moving", "in_place"]] = None,
     rate: Optional[float] = None,

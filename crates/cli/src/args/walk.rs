@@ -18,7 +18,7 @@ use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, 
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, FOREFOOT_SPEED, RUN_SPEED, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    DEFAULT_STEP_FREQUENCY, FOREFOOT_SPEED, RUN_SPEED, SHORTEST_DISTANCE, SOLE_GIVE, STEP_FREQUENCY, STEPS,
     THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, WALK_RATIO,
 };
 use std::path::PathBuf;
@@ -210,6 +210,11 @@ pub(crate) struct MannerArgs {
         "Gait run: land on the forefoot, in full run and up to {FOREFOOT_SPEED} m/s [default: on the heel]"
     )))]
     pub(crate) forefoot: bool,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, value_parser = within("give", SOLE_GIVE.0, SOLE_GIVE.1, " m"), help = wrap(&format!(
+        "Gait run: by how much shoe, heel pad and floor give under a foot, up to {} m (people's: 0.010 to 0.015), in full run [default: 0]",
+        SOLE_GIVE.1
+    )))]
+    pub(crate) give: Option<f64>,
     #[arg(long, value_name = "HOW", value_parser = bound::parse, help = wrap(
         "Gait run: how it begins, in full run (running), in standing, or in a walk that begins in standing: walking, or such as \
          walking,steps=6,speed=1.4; from standing or walking it takes some steps to reach its speed [default: running]"

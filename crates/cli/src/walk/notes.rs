@@ -29,6 +29,12 @@ pub(super) fn notes(
             ));
         }
     }
+    if let StyledPlan::Run(plan) = plan
+        && plan.stride().style().give > 0.0
+    {
+        let give = 1e3 * plan.stride().style().give;
+        notes.push(format!("its soles give by up to {give} mm, as was asked: they sink, and planted points slide down, by so much"));
+    }
     let heading = plan.heading();
     let Some(plan) = plan.smooth() else { return notes };
     let turned = heading.to_degrees();

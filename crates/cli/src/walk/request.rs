@@ -166,9 +166,9 @@ fn running(args: &WalkArgs) -> Result<Asked, CliError> {
         extent => extent,
     };
     let left_first = args.manner.first == Some(Side::Left);
-    let forefoot = args.manner.forefoot;
-    let request =
-        RunRequest { speed, extent, then: parts, from, to, left_first, forefoot, ..RunRequest::default() };
+    let usual = RunRequest::default();
+    let (forefoot, give) = (args.manner.forefoot, args.manner.give.unwrap_or(usual.give));
+    let request = RunRequest { speed, extent, then: parts, from, to, left_first, forefoot, give, ..usual };
     Ok(Asked { request: StyledRequest::Run(request), origins: vec![origins] })
 }
 

@@ -71,6 +71,8 @@ pub struct GaitOptions {
     pub left_first: Option<bool>,
     /// Whether a run lands on the forefoot.
     pub forefoot: bool,
+    /// By how much a runner's soles give (m).
+    pub give: Option<f64>,
     /// How a run begins.
     pub from: RunEndOptions,
     /// How a run ends.
@@ -110,6 +112,7 @@ impl Default for GaitOptions {
             style: BTreeMap::new(),
             left_first: None,
             forefoot: false,
+            give: None,
             from: RunEndOptions::Running,
             to: RunEndOptions::Running,
             repeats: None,

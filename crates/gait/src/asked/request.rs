@@ -65,6 +65,7 @@ impl GaitOptions {
         }
         let of_runs = [
             ("forefoot", self.forefoot),
+            ("give", self.give.is_some()),
             ("from", self.from != RunEndOptions::Running),
             ("to", self.to != RunEndOptions::Running),
         ];
@@ -139,8 +140,9 @@ impl GaitOptions {
         let least = least_run_steps(speed, from, if then.is_empty() { to } else { RunEnd::Running });
         let extent = self.extent(STEPS.max(least), LOOPED[2]);
         let left_first = self.left_first.unwrap_or(false);
-        let forefoot = self.forefoot;
-        Ok(RunRequest { speed, extent, then, from, to, left_first, forefoot, ..RunRequest::default() })
+        let usual = RunRequest::default();
+        let (forefoot, give) = (self.forefoot, self.give.unwrap_or(usual.give));
+        Ok(RunRequest { speed, extent, then, from, to, left_first, forefoot, give, ..usual })
     }
 
     fn thesis(&self, count: usize, figure: &Figure) -> Result<ThesisRequest, GaitError> {

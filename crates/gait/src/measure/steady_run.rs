@@ -8,6 +8,7 @@ use super::{SAME_TIME, touch_downs};
 use crate::body::FEET;
 use crate::body::rotations;
 use crate::error::{BodyError, GaitError, MeasureError};
+use crate::request::pace::tidy;
 use crate::request::run::at_speed;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{EventKind, Figure, Interval, Motion, SolePart};
@@ -205,7 +206,7 @@ impl RunBand {
 
     /// The range at a speed (m/s), linear between the three and beyond them.
     pub fn range(&self, speed: f64) -> (f64, f64) {
-        (at_speed(self.lower, speed), at_speed(self.upper, speed))
+        (tidy(at_speed(self.lower, speed)), tidy(at_speed(self.upper, speed)))
     }
 }
 

@@ -16,6 +16,9 @@ pub const CHANGING_RUN_STEPS: usize = 60;
 /// The fastest run on the forefoot (m/s).
 pub const FOREFOOT_SPEED: f64 = 3.5;
 
+/// By how much a sole may give in the middle of a runner's stance (m).
+pub const SOLE_GIVE: (f64, f64) = (0.0, 0.015);
+
 /// Speeds that the numbers of running are known at (m/s).
 const COLUMNS: [f64; 3] = [2.5, 3.5, 4.5];
 
@@ -60,6 +63,10 @@ pub struct RunRequest {
     /// Whether it lands on the forefoot, up to 3.5 m/s ([`FOREFOOT_SPEED`]), in full run alone and without a load in one hand; else on the heel.
     #[doc(alias = "forefoot strike")]
     pub forefoot: bool,
+    /// By how much shoe, heel pad and floor give in the middle of a stance (m, up to 0.015: [`SOLE_GIVE`]), in full run alone and without a load in one hand: the
+    /// whole foot sinks and rises again, and the standing knee bends by as much less.
+    #[doc(alias = "compliance")]
+    pub give: f64,
     /// How finely to plan.
     pub resolution: RunResolution,
 }
@@ -74,6 +81,7 @@ impl Default for RunRequest {
             to: RunEnd::Running,
             left_first: false,
             forefoot: false,
+            give: 0.0,
             resolution: RunResolution::default(),
         }
     }

@@ -45,6 +45,13 @@ impl RunStyle {
         Footing { yaw: self.foot_yaw, width: self.step_width, flat, toe_off: self.duty, tilt: 0.0 }
     }
 
+    /// By how much the sole of a foot that touched at 0 has given at the clock `u` of its stance (m): `d sin³ πs`, smooth to the acceleration at both ends. A
+    /// spring that gives as the force rises does so in the first tenth of the stance, and the hip's moments with it.
+    pub(super) fn given(&self, u: f64) -> f64 {
+        let s = (u / self.duty).clamp(0.0, 1.0);
+        self.give * (std::f64::consts::PI * s).sin().powi(3)
+    }
+
     /// Whether a foot lands on its ball.
     pub(super) fn lands_on_ball(&self) -> bool {
         self.heel_strike_angle < 0.0

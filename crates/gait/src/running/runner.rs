@@ -10,7 +10,8 @@ use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
 use crate::request::{
-    Extent, FOREFOOT_SPEED, RUN_SPEED, RunEnd, RunRequest, RunWalk, SHORTEST_DISTANCE, STEPS, WalkRequest,
+    Extent, FOREFOOT_SPEED, RUN_SPEED, RunEnd, RunRequest, RunWalk, SHORTEST_DISTANCE, SOLE_GIVE, STEPS,
+    WalkRequest,
 };
 use crate::smooth::{is_lopsided, walk};
 use solaris_model::Figure;
@@ -69,11 +70,14 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
     let changes = !request.then.is_empty()
         || (request.from, request.to) != (RunEnd::Running, RunEnd::Running)
         || lopsided;
+    let (lower, upper) = SOLE_GIVE;
+    range("give", request.give, " m", (lower, upper), String::new)?;
+    let of_full_runs = [("forefoot", request.forefoot), ("give", request.give > 0.0)];
+    if let Some((option, _)) = of_full_runs.into_iter().find(|(_, asked)| changes && *asked) {
+        let of = "a run that changes its speed, begins or ends otherwise than in full run, or of somebody with a load in one hand";
+        return Err(RequestError::NotOf { option, of }.into());
+    }
     if request.forefoot {
-        if changes {
-            let of = "a run that changes its speed, begins or ends otherwise than in full run, or of somebody with a load in one hand";
-            return Err(RequestError::NotOf { option: "forefoot", of }.into());
-        }
         range("speed", speed, " m/s", (RUN_SPEED.0, FOREFOOT_SPEED), || " on the forefoot".to_owned())?;
     }
     let style = style(body, speed, request);
@@ -148,7 +152,7 @@ pub(crate) fn judged(figure: &Figure, body: &Body, request: &RunRequest) -> Resu
 
 /// The style at a speed (m/s).
 fn style(body: &Body, speed: f64, request: &RunRequest) -> RunStyle {
-    let style = RunStyle::of(body.height, speed);
+    let style = RunStyle { give: request.give, ..RunStyle::of(body.height, speed) };
     if request.forefoot { style.on_forefoot() } else { style }
 }
 

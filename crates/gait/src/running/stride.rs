@@ -57,7 +57,7 @@ pub struct RunStride {
 struct Place {
     pelvis: Vector3<f64>,
     trunk: [Euler; 5],
-    /// Of each leg (left, right), seen as a left one from its print: the hip and the pose.
+    /// Of each leg (left, right), seen as a left one from its print, which is lower where the sole gives: the hip and the pose.
     legs: [(Vector3<f64>, LegPose); 2],
 }
 
@@ -139,7 +139,8 @@ impl RunStride {
                 *height += rise;
                 com.y += rise;
             }
-            let hip = |u: f64| hip_at(u, rise);
+            // A sole that gives is lower under the body: seen from it the hip is higher.
+            let hip = |u: f64| hip_at(u, rise + style.given(u));
             // On the ball the pitch of the foot is a law, and the knee follows.
             let knee = (landing == Landing::Heel).then(|| style.contact_knee());
             if let Some(knee) = knee {
@@ -260,12 +261,11 @@ impl RunStride {
             let hip = if side == 0 { hip } else { mirror(&hip) };
             let v = u - contact;
             let hip = hip - advance * contact;
-            let pose = if v <= self.style.duty {
-                self.stance.pose(v, &hip)
-            } else {
-                self.swing.pose(&self.body.leg, v)
-            };
-            (hip, pose)
+            if v > self.style.duty {
+                return (hip, self.swing.pose(&self.body.leg, v));
+            }
+            let hip = hip + Vector3::y() * self.style.given(v);
+            (hip, self.stance.pose(v, &hip))
         });
         Place { pelvis, trunk, legs }
     }

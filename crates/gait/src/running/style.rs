@@ -32,6 +32,9 @@ macro_rules! run_numbers {
             pub foot_yaw: f64,
             /// Least height of the swinging foot's lowest point in mid-swing (m).
             pub clearance: f64,
+            /// By how much shoe, heel pad and floor give in the middle of a stance (m): the foot stands lower by `d sin³ πs`.
+            #[doc(alias = "compliance")]
+            pub give: f64,
             /// How far the upper arms stand out from the thorax, and are turned in about their own length.
             pub arm_abduction: f64,
             /// See `arm_abduction`.
@@ -47,6 +50,7 @@ macro_rules! run_numbers {
                     step_length: 0.0,
                     foot_yaw: 6.0 * DEGREE,
                     clearance: 0.012 * common.height / REFERENCE_HEIGHT,
+                    give: 0.0,
                     // So that the hands pass the thighs.
                     arm_abduction: 20.0 * DEGREE,
                     arm_inward: 10.0 * DEGREE,
@@ -62,6 +66,7 @@ macro_rules! run_numbers {
                     step_length: mix(self.step_length, other.step_length),
                     foot_yaw: mix(self.foot_yaw, other.foot_yaw),
                     clearance: mix(self.clearance, other.clearance),
+                    give: mix(self.give, other.give),
                     arm_abduction: mix(self.arm_abduction, other.arm_abduction),
                     arm_inward: mix(self.arm_inward, other.arm_inward),
                     $($name: mix(self.$name, other.$name),)*
@@ -226,6 +231,7 @@ impl RunStyle {
             ("step_length", self.step_length),
             ("foot_yaw", self.foot_yaw),
             ("clearance", self.clearance),
+            ("give", self.give),
             ("arm_abduction", self.arm_abduction),
             ("arm_inward", self.arm_inward),
         ];

@@ -25,6 +25,8 @@ const HYPEREXTENSION: f64 = DEGREE;
 /// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
 /// are given or the ground is not level.
 const OUTSIDE: (f64, f64) = (1e-3, 5e-3);
+/// By how much less where the ground is not level: between samples it is as much more (m).
+const BETWEEN_SAMPLES: f64 = 5e-4;
 /// What a person presses with at most over the weight where the ground is not level: people on steep stairs do (A. Stacoff et al., *Gait & Posture*
 /// 21 (2005) 24–38); and how far the force may be from the prescribed one, over the weight.
 const PRESSED: f64 = 1.6;
@@ -39,8 +41,8 @@ const BEYOND: [f64; 4] = [0.5 * DEGREE, 3.0 * DEGREE, 20.0 * DEGREE, 25.0 * DEGR
 const FAST: f64 = 118.0;
 /// How often a walk that changes on the way is looked at (1/s).
 const RATE: f64 = 120.0;
-/// How often one that deviates is (1/s): what a foot that lands too flat presses beside its heel lasts for 3 ms.
-const FINE_RATE: f64 = 240.0;
+/// How often one that deviates, or has options, is (1/s): what a foot that lands too flat presses beside its heel lasts for 3 ms.
+pub(super) const FINE_RATE: f64 = 240.0;
 /// The same of somebody of unusual height (1/s).
 pub(super) const FINER_RATE: f64 = 480.0;
 /// A knee that comes nearer to being straight than this (rad) has accelerations without bound for a few milliseconds, and how often it is
@@ -203,7 +205,11 @@ impl PlanCheck<'_> {
             fails(beside.is_nan() || beside > BESIDE, peak, what)?;
         }
         let outside = found.cop_outside;
-        let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
+        let edge = match (self.route.is_even(), self.route.is_level()) {
+            (true, true) => OUTSIDE.1,
+            (true, false) => OUTSIDE.1 - BETWEEN_SAMPLES,
+            (false, _) => OUTSIDE.0,
+        };
         let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
         fails(outside.value.is_nan() || outside.value > edge, outside, beside)?;
         // Where the ground leans, that of both feet together was judged by the forces that are prescribed.

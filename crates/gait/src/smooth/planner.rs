@@ -5,11 +5,11 @@ use crate::error::{GaitError, PlanError};
 use crate::request::pace::{Pace, STEP_FREQUENCY};
 use crate::request::{Extent, WalkGround, WalkRequest};
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
-use crate::smooth::plan_check::{FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
+use crate::smooth::plan_check::{FINE_RATE, FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
 use crate::smooth::route::Route;
-use crate::smooth::stairs::StairVariant;
 use crate::smooth::style::Style;
 use crate::smooth::styling::{Gone, Styling};
+use crate::smooth::variant::StyleVariant;
 use crate::smooth::walk::{Easing, Terrain, WalkNumbers, WalkPlan, steps};
 use solaris_model::Figure;
 
@@ -23,8 +23,8 @@ const OTHER_PACES_ON_STAIRS: [f64; 2] = [0.92, 1.08];
 
 /// The usual route up or down stairs in other ways to take them, and at other paces where none is asked for.
 fn over_stairs(request: &WalkRequest, usual: &Route, rise: f64) -> Vec<Route> {
-    let others = if rise > 0.0 { StairVariant::UP } else { StairVariant::DOWN };
-    let varied = others.map(|stairs| usual.on_stairs(stairs));
+    let others = if rise > 0.0 { StyleVariant::UP_STAIRS } else { StyleVariant::DOWN_STAIRS };
+    let varied = others.map(|style| usual.varied(style));
     let is_free =
         request.step_frequency.is_none() && request.speed.is_none() && request.step_length.is_none();
     let paced = |part: f64| {
@@ -35,6 +35,13 @@ fn over_stairs(request: &WalkRequest, usual: &Route, rise: f64) -> Vec<Route> {
     let paces = OTHER_PACES_ON_STAIRS.iter().filter(|_| is_free).flat_map(|&part| paced(part));
     let paces: Vec<Route> = paces.collect();
     varied.into_iter().chain(paces).collect()
+}
+
+/// How many of [`OTHER_STEPS_ON_SLOPES`] are tried in another style, too.
+const OTHER_STEPS_VARIED: usize = 4;
+
+fn is_slope(request: &WalkRequest) -> bool {
+    matches!(request.ground, WalkGround::Slope(_))
 }
 
 /// The usual route with other steps, as far as a request leaves them open: of other lengths, as many as lead to its distance, and at another frequency
@@ -132,7 +139,10 @@ impl<'a> Planner<'a> {
     /// A request with a part of its manner.
     pub(super) fn planned(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
         match self.planned_at_pace(request, part) {
-            Err(GaitError::Plan(error)) => self.eased(request, part, &error).ok_or(error.into()),
+            Err(GaitError::Plan(error)) => {
+                let found = self.eased(request, part, &error).or_else(|| self.varied(request, part));
+                found.ok_or(error.into())
+            }
             found => found,
         }
     }
@@ -155,8 +165,7 @@ impl<'a> Planner<'a> {
 
     /// The plan on another route, if it holds; of many steps on a slope some decide whether it is tried.
     fn planned_elsewhere(&self, request: &WalkRequest, part: f64, route: &Route) -> Option<WalkPlan> {
-        let is_slope = matches!(request.ground, WalkGround::Slope(_));
-        if is_slope && route.is_long() {
+        if is_slope(request) && route.is_long() {
             self.planned_on(request, part, &route.shortened()).ok()?;
         }
         self.planned_on(request, part, route).ok()
@@ -177,12 +186,26 @@ impl<'a> Planner<'a> {
                 Err(GaitError::Plan(found)) => error = found,
                 Err(_) => return None,
             }
-            let other = self.other_routes(request, part, &route);
+            // On a slope its steps are shorter at their ends anyway.
+            let other = if is_slope(request) { Vec::new() } else { self.other_routes(request, part, &route) };
             if let Some(plan) = other.iter().find_map(|route| self.planned_on(request, part, route).ok()) {
                 return Some(plan);
             }
         }
         None
+    }
+
+    /// The same in another style on a slope, with its own steps and others.
+    fn varied(&self, request: &WalkRequest, part: f64) -> Option<WalkPlan> {
+        if !is_slope(request) {
+            return None;
+        }
+        let usual = self.route(request, part).ok()?;
+        let others = self.other_routes(request, part, &usual);
+        let [first, second] = StyleVariant::ON_SLOPES;
+        let varied = std::iter::once(&usual).chain(others.iter().take(OTHER_STEPS_VARIED));
+        let routes = std::iter::once(usual.varied(second)).chain(varied.map(|route| route.varied(first)));
+        routes.into_iter().find_map(|route| self.planned_elsewhere(request, part, &route))
     }
 
     /// The same on a route: on level ground in the style of a steady gait, or throughout in that of first and last steps.
@@ -245,10 +268,14 @@ impl<'a> Planner<'a> {
         let has_steady = has_steady && route.is_level();
         let legs_differ = legs_differ(self.body);
         // In reversed time samples fall between those of the walk forward; legs that are nearly straight beside their feet last for some milliseconds.
-        let least_rate = match (styling.backward && !route.is_level(), is_unusual(self.body)) {
-            (true, _) => FINEST_RATE,
-            (false, true) => FINER_RATE,
-            (false, false) => 0.0,
+        let least_rate = if styling.backward && !route.is_level() {
+            FINEST_RATE
+        } else if is_unusual(self.body) {
+            FINER_RATE
+        } else if request.parameters.is_empty() {
+            0.0
+        } else {
+            FINE_RATE
         };
         let check = PlanCheck {
             figure: self.figure,

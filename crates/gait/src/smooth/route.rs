@@ -12,10 +12,10 @@ use crate::smooth::distance::to_distance;
 use crate::smooth::ends::{ENDS, eased};
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
-use crate::smooth::stairs::StairVariant;
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::{Gone, Styling};
+use crate::smooth::variant::StyleVariant;
 use crate::smooth::walk::{
     Easing, Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, Way, steps,
 };
@@ -224,9 +224,9 @@ impl Route {
         Self { way: Way { otherwise: true, ..self.way }, ..self.clone() }
     }
 
-    /// The same in another way to take stairs.
-    pub(crate) fn on_stairs(&self, stairs: StairVariant) -> Self {
-        Self { way: Way { stairs, ..self.way }, ..self.clone() }
+    /// The same in another style of its slope or its stairs.
+    pub(crate) fn varied(&self, style: StyleVariant) -> Self {
+        Self { way: Way { style, ..self.way }, ..self.clone() }
     }
 
     /// The same, slower at its ends.
@@ -237,7 +237,8 @@ impl Route {
     /// Whether what does not hold at a step, which count from 1, may do so with slower ends: at one of them that is slower, where the ground says how
     /// long steps are.
     pub(crate) fn may_ease(&self, step: usize, easing: &Easing) -> bool {
-        let given = matches!(self.ground, WalkGround::Stairs(_) | WalkGround::Footholds(_));
+        let given =
+            matches!(self.ground, WalkGround::Stairs(_) | WalkGround::Footholds(_) | WalkGround::Slope(_));
         given && (step + LEAD > self.count() || step <= LEAD && easing.eases_beginnings())
     }
 
@@ -316,13 +317,13 @@ impl Route {
                 StepKind::Slope(slope, step_length) => {
                     let walked = Pace { step_length, ..pace };
                     let style = Style { step_width: width, ..styling.style_from(&table, body, &walked)? };
-                    style.on_slope(&body.leg, body.height, slope)
+                    style.on_slope(&body.leg, body.height, slope).varied(&self.way.style)
                 }
                 // Planted feet do not turn: they point as on the level.
                 StepKind::Stairs { rise, tread } => Style {
                     foot_yaw: level.foot_yaw,
                     manner: level.manner,
-                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise).varied(&self.way.stairs)
+                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise).varied(&self.way.style)
                 },
             })
         };

@@ -17,69 +17,7 @@ const FITTED_LEG: f64 = 0.86;
 const SHORT_LEG: (f64, f64) = (1.5, 1.35);
 const SHORT_TOE_OFF: (f64, f64) = (60.0 * DEGREE, 500.0 * DEGREE);
 
-/// By how much a style on stairs differs from the usual one: where that one does not hold, another often does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct StairVariant {
-    double_support: f64,
-    foot_flat: f64,
-    heel_off: f64,
-    /// In parts of the usual one.
-    share_exponent: f64,
-    /// In degrees, and degrees by u.
-    knee_contact: f64,
-    knee_toe_off_rate: f64,
-    toe_roll: f64,
-    landing_pitch: f64,
-}
-
-impl StairVariant {
-    pub(crate) const USUAL: Self = Self {
-        double_support: 0.0,
-        foot_flat: 0.0,
-        heel_off: 0.0,
-        share_exponent: 0.0,
-        knee_contact: 0.0,
-        knee_toe_off_rate: 0.0,
-        toe_roll: 0.0,
-        landing_pitch: 0.0,
-    };
-    /// What is tried on the way up: a shorter double support, with a heel that stays on the tread for longer, or a foot that is flat later; or a load
-    /// that goes over more evenly. Of 300 random people of 1.3 to 2 m on all [`STAIRS`] 40 were refused in the usual style, and none with these.
-    pub(crate) const UP: [Self; 3] = [
-        Self { double_support: -0.05, heel_off: 0.03, ..Self::USUAL },
-        Self { double_support: -0.05, foot_flat: 0.02, ..Self::USUAL },
-        Self { share_exponent: -0.3, ..Self::USUAL },
-    ];
-    /// And on the way down, where 75 of 340 were and 14 are, most of them below 1.4 m: a knee that lands more bent, bends more slowly as the foot leaves, over toes that roll.
-    pub(crate) const DOWN: [Self; 3] = [
-        Self { landing_pitch: 4.0, ..Self::YIELDING },
-        Self { knee_contact: 10.0, knee_toe_off_rate: -200.0, ..Self::YIELDING },
-        Self { heel_off: 0.03, ..Self::YIELDING },
-    ];
-    const YIELDING: Self =
-        Self { knee_contact: 5.0, knee_toe_off_rate: -100.0, toe_roll: 8.0, ..Self::USUAL };
-}
-
 impl Style {
-    /// The same in another way to take stairs.
-    pub(crate) fn varied(&self, by: &StairVariant) -> Self {
-        let pitched = |stairs: StairNumbers| StairNumbers {
-            landing_pitch: stairs.landing_pitch + by.landing_pitch * DEGREE,
-            ..stairs
-        };
-        Self {
-            double_support: self.double_support + by.double_support,
-            foot_flat: self.foot_flat + by.foot_flat,
-            heel_off: self.heel_off + by.heel_off,
-            share_exponent: self.share_exponent * (1.0 + by.share_exponent),
-            knee_contact: self.knee_contact + by.knee_contact * DEGREE,
-            knee_toe_off_rate: self.knee_toe_off_rate + by.knee_toe_off_rate * DEGREE,
-            toe_roll: self.toe_roll + by.toe_roll * DEGREE,
-            stairs: self.stairs.map(pitched),
-            ..*self
-        }
-    }
-
     /// The style on stairs whose steps rise by `rise` (m, negative on the way down), for a figure of this height (m) with this leg; the step
     /// length is the tread.
     ///

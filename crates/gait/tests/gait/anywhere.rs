@@ -11,6 +11,7 @@ use solaris_gait::{
 };
 use solaris_model::{Figure, Human, LimitExcess, Motion, Relief, RootOrder};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -303,14 +304,17 @@ fn kind(error: &GaitError) -> String {
     what.chars().filter(|c| !c.is_ascii_digit()).take(60).collect()
 }
 
-/// So many requests, on all cores: what became of them by ground, and the faults of walks that were planned.
-fn walked(count: u64, asked: impl Fn(u64) -> Asked + Sync) -> (BTreeMap<&'static str, Count>, Vec<String>) {
-    let next = AtomicU64::new(0);
+/// Requests of these numbers, on all cores: what became of them by ground, and the faults of walks that were planned.
+fn walked(
+    numbers: Range<u64>,
+    asked: impl Fn(u64) -> Asked + Sync,
+) -> (BTreeMap<&'static str, Count>, Vec<String>) {
+    let next = AtomicU64::new(numbers.start);
     let found = Mutex::new((BTreeMap::<&'static str, Count>::new(), Vec::new()));
     let worker = || {
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
-            if number >= count {
+            if number >= numbers.end {
                 return;
             }
             let asked = asked(number);
@@ -349,8 +353,9 @@ fn walked(count: u64, asked: impl Fn(u64) -> Asked + Sync) -> (BTreeMap<&'static
 }
 
 /// Prints what became of them, and holds what was walked against the laws.
-fn obey(count: u64, asked: impl Fn(u64) -> Asked + Sync) {
-    let (counts, faults) = walked(count, asked);
+fn obey(numbers: Range<u64>, asked: impl Fn(u64) -> Asked + Sync) {
+    let count = numbers.end - numbers.start;
+    let (counts, faults) = walked(numbers, asked);
     for (over, count) in &counts {
         println!("{over}: {} asked, {} walked, {} in part", count.all(), count.whole, count.in_part);
         for (why, refused) in &count.refused {
@@ -365,20 +370,30 @@ fn obey(count: u64, asked: impl Fn(u64) -> Asked + Sync) {
 
 #[test]
 fn whatever_is_walked_obeys() {
-    obey(120, Asked::of);
+    obey(0..120, Asked::of);
 }
 
 #[test]
 fn whatever_is_walked_backward_obeys() {
-    obey(60, Asked::backward);
+    obey(0..60, Asked::backward);
 }
 
-/// `cargo lab gaits --walks N`: N of them in place of 3000.
+/// What larger numbers found: pressed 5.03 mm beside a sole between the samples that it was judged at, and 7.6 mm with options.
+#[test]
+fn what_broke_a_law_once_obeys() {
+    const FOUND: [u64; 2] = [101_120, 103_037];
+    obey(0..FOUND.len() as u64, |number| Asked::of(FOUND[number as usize]));
+}
+
+/// `cargo lab gaits --walks N --from M`: N of them in place of 3000, from another one than the first.
 #[test]
 #[ignore = "long: cargo xtask nightly"]
 fn thousands_of_walks_obey() {
-    let asked = std::env::var("SOLARIS_WALKS").ok().map(|n| n.parse().expect("SOLARIS_WALKS is a number"));
-    let count = asked.unwrap_or(3000);
-    obey(count, Asked::of);
-    obey(count / 5, Asked::backward);
+    let number = |name: &str, or: u64| {
+        let said = std::env::var(name).ok();
+        said.map_or(or, |n| n.parse().unwrap_or_else(|_| panic!("{name}={n}: it must be a whole number")))
+    };
+    let (count, from) = (number("SOLARIS_WALKS", 3000), number("SOLARIS_WALKS_FROM", 0));
+    obey(from..from + count, Asked::of);
+    obey(from..from + count / 5, Asked::backward);
 }

@@ -117,6 +117,7 @@ fn what_contradicts_itself_or_is_not_known_is_refused() {
             "determinants is given",
         ),
         (GaitOptions { forefoot: true, ..usual.clone() }, "forefoot is given, which is not of a walk"),
+        (GaitOptions { give: Some(0.01), ..usual.clone() }, "give is given, which is not of a walk"),
         (
             GaitOptions { from: RunEndOptions::Standing, ..usual.clone() },
             "from is given, which is not of a walk",

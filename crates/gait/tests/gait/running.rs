@@ -307,6 +307,57 @@ fn the_other_foot_first_is_the_mirror_image() {
     assert_eq!(right.events().len(), 21);
 }
 
+/// Soles that give let the standing knee and ankle bend less, by as much as a leg that is so much longer has them bend less; forces and swing stay, and the body moves as
+/// they have it.
+#[test]
+fn soles_that_give_spare_the_knee() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let planned = |give: f64| {
+        let request = RunRequest { speed: 3.5, give, extent: Extent::Steps(2), ..RunRequest::default() };
+        run(&figure, &request).expect("a run")
+    };
+    let (rigid, soft) = (planned(0.0), planned(0.015));
+    let style = soft.style();
+    // Its lowest point is as far below the ground as was asked for in mid-stance, and not at all as the foot touches and leaves.
+    let tree = Tree::<f64>::new(&figure, Vector3::new(0.0, -9.80665, 0.0)).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    let mut lowest = |plan: &RunPlan, u: f64| {
+        let mut q = vec![0.0; figure.layout().nq()];
+        plan.stride().configuration(u, &mut q);
+        center_of_mass(&tree, &mut workspace, &q).expect("poses");
+        let heights = ["left_foot", "left_toes"].into_iter().flat_map(|name| {
+            let link = figure.link_index(name).expect("a link");
+            let parts = [SolePart::Heel, SolePart::Ball, SolePart::ToeTip];
+            let points = parts.into_iter().filter_map(|part| figure.links()[link].sole_point(part));
+            points.map(|point| workspace.pose(link).transform(point).y).collect::<Vec<f64>>()
+        });
+        heights.fold(f64::INFINITY, f64::min)
+    };
+    for part in [0.0, 0.2, 0.45, 0.999] {
+        let law = 0.015 * f64::sin(std::f64::consts::PI * part).powi(3);
+        let (rigid, soft) = (lowest(&rigid, part * style.duty), lowest(&soft, part * style.duty));
+        assert!(rigid.abs() < 2e-5 && (soft + law).abs() < 2e-5, "{part}: {rigid}, {soft}, not {law}");
+    }
+    let [hard, given] = [&rigid, &soft].map(|plan| steady(&figure, plan.style(), RunResolution::default()));
+    // cos(k/2) = (thigh² + shank² …): about 1.8 mm a degree at 48°, so 15 mm are some 4°, and a little less as the knee bends the most before mid-stance.
+    assert!((2.5..5.0).contains(&(hard.knee_stance - given.knee_stance)), "{hard:?} {given:?}");
+    assert!((2.0..4.0).contains(&(hard.ankle_stance - given.ankle_stance)), "{hard:?} {given:?}");
+    assert!((hard.hip_extensor - given.hip_extensor).abs() < 0.2, "{hard:?} {given:?}");
+    for u in [0.1, 0.2, 0.6] {
+        let (a, b) = (rigid.stride().forces(u), soft.stride().forces(u));
+        let off = (a[0].force - b[0].force).norm().max((a[1].force - b[1].force).norm());
+        assert!(off < 0.02 * 73.0 * 9.80665, "{off} at {u}");
+    }
+    assert!(soft.stride().extremes(400).momentum_excess < 2.0);
+
+    let refused = |request: RunRequest| run(&figure, &request).map(|_| ()).expect_err("no run").to_string();
+    let usual = || RunRequest { speed: 3.0, ..RunRequest::default() };
+    assert_eq!(refused(RunRequest { give: 0.02, ..usual() }), "give 0.02 m: it must be 0 to 0.015 m");
+    assert!(refused(RunRequest { give: f64::NAN, ..usual() }).contains("it must be 0 to 0.015 m"));
+    let started = refused(RunRequest { give: 0.01, from: RunEnd::Standing, ..usual() });
+    assert!(started.contains("give is given, which is not of a run that changes"), "{started}");
+}
+
 /// On the forefoot the ball touches before the heel, the force rises once, and the knee is more bent; a foot on the forefoot is asked for in full run alone.
 #[test]
 fn the_forefoot_lands_before_the_heel() {

@@ -24,20 +24,34 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         }
         let changes =
             ends(args).any(|(_, bound)| bound.end != RunEnd::Running) || !args.changes.then.is_empty();
-        if args.manner.forefoot && changes {
+        if let Some((option, typed)) = of_full_runs(args).filter(|_| changes) {
             let why = "a run has this in full run alone, without --from, --to and --then";
-            return Err(CliError::option("forefoot", "", why));
+            return Err(CliError::option(option, &typed, why));
         }
         return of_walks(args).map_or(Ok(()), |(option, typed)| {
             Err(CliError::option(
                 option,
                 &typed,
-                "a run has no such option: it has --speed, --steps or --distance, --forefoot, --from, --to, --then, --first and --loop",
+                "a run has no such option: it has --speed, --steps or --distance, --forefoot, --give, --from, --to, --then, --first and --loop",
             ))
         });
     }
-    if args.manner.forefoot {
-        return Err(CliError::option("forefoot", "", "only --gait run has this; a walk lands on its heels"));
+    match of_full_runs(args) {
+        Some((option @ "forefoot", typed)) => {
+            return Err(CliError::option(
+                option,
+                &typed,
+                "only --gait run has this; a walk lands on its heels",
+            ));
+        }
+        Some((option, typed)) => {
+            return Err(CliError::option(
+                option,
+                &typed,
+                "only --gait run has this; a walk's soles are rigid",
+            ));
+        }
+        None => (),
     }
     if let Some((option, end)) = ends(args).next() {
         return Err(CliError::option(
@@ -73,6 +87,13 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         StyleName::Smooth => StyleName::Thesis,
     };
     Err(CliError::option(option, typed, format!("only --style {} has this", other.name())))
+}
+
+/// What was given that full runs alone have, and as it was typed.
+fn of_full_runs(args: &WalkArgs) -> Option<(&'static str, String)> {
+    let manner = &args.manner;
+    let forefoot = manner.forefoot.then(|| ("forefoot", String::new()));
+    forefoot.or_else(|| Some(("give", manner.give?.to_string())))
 }
 
 /// How a run is to begin and to end, where that is said.

@@ -7,7 +7,8 @@ use crate::request::pace::range;
 use crate::request::{Stairs, WalkGround};
 use crate::smooth::slope::step_length_on_slope;
 use crate::smooth::stair_numbers::nosing;
-use crate::smooth::stairs::{STAIRS, StairVariant};
+use crate::smooth::stairs::STAIRS;
+use crate::smooth::variant::StyleVariant;
 use solaris_model::Relief;
 
 /// How a step is gone.
@@ -25,11 +26,13 @@ pub(crate) struct Way {
     /// In the second way: edges of a relief as stairs, footholds in the style of the slope around them.
     pub(crate) otherwise: bool,
     pub(crate) easing: Easing,
-    pub(crate) stairs: StairVariant,
+    /// In which style, of those on slopes and stairs.
+    pub(crate) style: StyleVariant,
 }
 
 impl Way {
-    pub(crate) const USUAL: Self = Self { otherwise: false, easing: Easing::NONE, stairs: StairVariant::USUAL };
+    pub(crate) const USUAL: Self =
+        Self { otherwise: false, easing: Easing::NONE, style: StyleVariant::USUAL };
 }
 
 /// By which parts the second step and the last three, the last one first, last longer than the others: who stops at once after a step as long as
