@@ -32,7 +32,7 @@ cargo lab CHORE
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
       [--curves]                    or measures the numbers that ship; --recipe: begins with the recipe's; --curves: people's curves
                                     over a stride are targets too
-  gaits [--walks N]                 walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
+  gaits [--walks N] [--from M]      walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
                                     and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone
   live                              times the frames of a walker that is steered into docs/live.md, and draws docs/strips/live.svg
   models FOLDER [--write]           reads the model files of a folder that other engines open (lab/models/opened.py lists them), prints

@@ -23,8 +23,8 @@ const OTHER_PACES_ON_STAIRS: [f64; 2] = [0.92, 1.08];
 
 /// The usual route up or down stairs in other ways to take them, and at other paces where none is asked for.
 fn over_stairs(request: &WalkRequest, usual: &Route, rise: f64) -> Vec<Route> {
-    let others = if rise > 0.0 { StyleVariant::UP_STAIRS } else { StyleVariant::DOWN_STAIRS };
-    let varied = others.map(|style| usual.varied(style));
+    let others = if rise > 0.0 { &StyleVariant::UP_STAIRS[..] } else { &StyleVariant::DOWN_STAIRS };
+    let varied: Vec<Route> = others.iter().map(|&style| usual.varied(style)).collect();
     let is_free =
         request.step_frequency.is_none() && request.speed.is_none() && request.step_length.is_none();
     let paced = |part: f64| {
