@@ -3,7 +3,7 @@
 
 use crate::workspace::{cargo, cargo_with};
 
-/// How many smooth walks, if not so many as `nightly` has, and from which on of those that there are.
+/// How many smooth walks, if not so many as `nightly` has, and the number of the first one.
 #[derive(Debug, Default)]
 pub(crate) struct Options {
     walks: Option<u64>,
@@ -18,7 +18,7 @@ impl Options {
             let (number, word, count) = match pair {
                 ["--walks", count] => (&mut options.walks, "--walks", count),
                 ["--from", count] => (&mut options.from, "--from", count),
-                _ => return Err(format!("gaits {}: it takes --walks N and --from N alone", words.join(" "))),
+                _ => return Err(format!("gaits {}: it takes --walks N and --from M alone", words.join(" "))),
             };
             *number = Some(count.parse().map_err(|_| format!("{word} {count}: it must be a whole number"))?);
         }
@@ -26,13 +26,13 @@ impl Options {
     }
 }
 
-/// Runs them: those of the thesis's style where no number of smooth ones is asked for.
+/// Runs them: those of the thesis's style where nothing is said of smooth ones.
 pub(crate) fn run(options: &Options) -> Result<(), String> {
     let of = |name: &'static str| {
         let test = ["test", "--release", "--package", "solaris-gait", "--tests", name];
         [&test[..], &["--", "--ignored", "--nocapture"]].concat()
     };
-    if options.walks.is_none() {
+    if options.walks.or(options.from).is_none() {
         cargo(&of("a_million_requests"))?;
     }
     let said = [("SOLARIS_WALKS", options.walks), ("SOLARIS_WALKS_FROM", options.from)];

@@ -33,7 +33,8 @@ cargo lab CHORE
       [--curves]                    or measures the numbers that ship; --recipe: begins with the recipe's; --curves: people's curves
                                     over a stride are targets too
   gaits [--walks N] [--from M]      walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
-                                    and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone
+                                    and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone;
+                                    --from: beginning with that number of them
   live                              times the frames of a walker that is steered into docs/live.md, and draws docs/strips/live.svg
   models FOLDER [--write]           reads the model files of a folder that other engines open (lab/models/opened.py lists them), prints
                                     why those are refused that are, and writes the counts into docs/bodies.md

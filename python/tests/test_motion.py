@@ -170,6 +170,10 @@ def test_walks_of_all_kinds():
     assert run.measures["run"] is not None
     fore = solaris.run_gait(speed=3.0, steps=4, forefoot=True)
     assert fore.measures["run"]["knee_contact_deg"] > run.measures["run"]["knee_contact_deg"]
+    soft = solaris.run_gait(speed=3.0, steps=4, give=0.012)
+    assert soft.measures["run"]["knee_stance_deg"] < run.measures["run"]["knee_stance_deg"] - 2.0
+    with pytest.raises(ValueError, match="give 0.02 m: it must be 0 to 0.015 m"):
+        solaris.run_gait(speed=3.0, give=0.02)
     walk = {"steps": 4, "speed": 1.5}
     joined = solaris.run_gait(speed=2.2, steps=6, start=walk, end="walking")
     lands = [event for event in joined.motion.events if event[1] == "touch_down"]

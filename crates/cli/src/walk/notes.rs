@@ -33,7 +33,9 @@ pub(super) fn notes(
         && plan.stride().style().give > 0.0
     {
         let give = 1e3 * plan.stride().style().give;
-        notes.push(format!("its soles give by up to {give} mm, as was asked: they sink, and planted points slide down, by so much"));
+        notes.push(format!(
+            "its soles give: in the middle of a stance a foot is {give:.1} mm deep in the ground, as was asked, and the greatest slide and sink are that"
+        ));
     }
     let heading = plan.heading();
     let Some(plan) = plan.smooth() else { return notes };

@@ -71,7 +71,7 @@ pub struct GaitOptions {
     pub left_first: Option<bool>,
     /// Whether a run lands on the forefoot.
     pub forefoot: bool,
-    /// By how much a runner's soles give (m).
+    /// By how much a runner's soles give in the middle of a stance (m, 0 to 0.015; 0 by default), in full run alone.
     pub give: Option<f64>,
     /// How a run begins.
     pub from: RunEndOptions,

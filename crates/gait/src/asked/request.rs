@@ -65,7 +65,7 @@ impl GaitOptions {
         }
         let of_runs = [
             ("forefoot", self.forefoot),
-            ("give", self.give.is_some()),
+            ("give", self.give.is_some_and(|give| give > 0.0)),
             ("from", self.from != RunEndOptions::Running),
             ("to", self.to != RunEndOptions::Running),
         ];

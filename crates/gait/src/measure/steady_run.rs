@@ -204,7 +204,7 @@ impl RunBand {
         (self.value)(run)
     }
 
-    /// The range at a speed (m/s), linear between the three and beyond them.
+    /// The range at a speed (m/s), linear between the three and beyond them, to four decimals.
     pub fn range(&self, speed: f64) -> (f64, f64) {
         (tidy(at_speed(self.lower, speed)), tidy(at_speed(self.upper, speed)))
     }

@@ -63,8 +63,8 @@ pub struct RunRequest {
     /// Whether it lands on the forefoot, up to 3.5 m/s ([`FOREFOOT_SPEED`]), in full run alone and without a load in one hand; else on the heel.
     #[doc(alias = "forefoot strike")]
     pub forefoot: bool,
-    /// By how much shoe, heel pad and floor give in the middle of a stance (m, up to 0.015: [`SOLE_GIVE`]), in full run alone and without a load in one hand: the
-    /// whole foot sinks and rises again, and the standing knee bends by as much less.
+    /// By how much shoe, heel pad and floor give in the middle of a stance (m, up to 0.015: [`SOLE_GIVE`]), in full run alone and without a load in one hand. The
+    /// whole foot sinks by `give · sin³ πs` over the part s of the stance and rises again, so that the standing knee and ankle bend by up to 4° less.
     #[doc(alias = "compliance")]
     pub give: f64,
     /// How finely to plan.

@@ -45,7 +45,7 @@ impl RunStyle {
         Footing { yaw: self.foot_yaw, width: self.step_width, flat, toe_off: self.duty, tilt: 0.0 }
     }
 
-    /// By how much the sole of a foot that touched at 0 has given at the clock `u` of its stance (m): `d sin³ πs`, smooth to the acceleration at both ends. A
+    /// By how much the sole of a foot that touched at 0 has given at the clock `u` of its stance (m): `give · sin³ πs`, smooth to the acceleration at both ends. A
     /// spring that gives as the force rises does so in the first tenth of the stance, and the hip's moments with it.
     pub(super) fn given(&self, u: f64) -> f64 {
         let s = (u / self.duty).clamp(0.0, 1.0);

@@ -32,7 +32,7 @@ macro_rules! run_numbers {
             pub foot_yaw: f64,
             /// Least height of the swinging foot's lowest point in mid-swing (m).
             pub clearance: f64,
-            /// By how much shoe, heel pad and floor give in the middle of a stance (m): the foot stands lower by `d sin³ πs`.
+            /// By how much shoe, heel pad and floor give in the middle of a stance (m): the foot stands lower by `give · sin³ πs`.
             #[doc(alias = "compliance")]
             pub give: f64,
             /// How far the upper arms stand out from the thorax, and are turned in about their own length.

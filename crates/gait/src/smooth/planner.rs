@@ -18,25 +18,6 @@ const OTHER_STEPS: [f64; 8] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85, 1.08, 1.13];
 /// The same on slopes, where slow walks need longer ones.
 const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.88];
 
-/// Parts of the usual pace with which stairs are tried again where none is asked for.
-const OTHER_PACES_ON_STAIRS: [f64; 2] = [0.92, 1.08];
-
-/// The usual route up or down stairs in other ways to take them, and at other paces where none is asked for.
-fn over_stairs(request: &WalkRequest, usual: &Route, rise: f64) -> Vec<Route> {
-    let others = if rise > 0.0 { &StyleVariant::UP_STAIRS[..] } else { &StyleVariant::DOWN_STAIRS };
-    let varied: Vec<Route> = others.iter().map(|&style| usual.varied(style)).collect();
-    let is_free =
-        request.step_frequency.is_none() && request.speed.is_none() && request.step_length.is_none();
-    let paced = |part: f64| {
-        let Pace { step_frequency, step_length } = usual.pace();
-        let pace = Pace { step_frequency: part * step_frequency, step_length };
-        [usual, &varied[0]].map(|route| route.with_pace(pace, None))
-    };
-    let paces = OTHER_PACES_ON_STAIRS.iter().filter(|_| is_free).flat_map(|&part| paced(part));
-    let paces: Vec<Route> = paces.collect();
-    varied.into_iter().chain(paces).collect()
-}
-
 /// How many of [`OTHER_STEPS_ON_SLOPES`] are tried in another style, too.
 const OTHER_STEPS_VARIED: usize = 4;
 
@@ -78,7 +59,11 @@ fn with_other_steps(request: &WalkRequest, usual: &Route, tempo: f64, parts: &[f
 fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> {
     match request.ground {
         WalkGround::Footholds(_) => vec![usual.otherwise()],
-        WalkGround::Stairs(stairs) => over_stairs(request, usual, stairs.rise),
+        WalkGround::Stairs(stairs) => {
+            let up = stairs.rise > 0.0;
+            let others = if up { &StyleVariant::UP_STAIRS[..] } else { &StyleVariant::DOWN_STAIRS };
+            others.iter().map(|style| usual.varied(style)).collect()
+        }
         WalkGround::Slope(_) => with_other_steps(request, usual, tempo, &OTHER_STEPS_ON_SLOPES),
         WalkGround::Relief(_) => {
             let other = with_other_steps(request, usual, tempo, &OTHER_STEPS);
@@ -147,8 +132,16 @@ impl<'a> Planner<'a> {
         }
     }
 
+    /// Whether a request holds that is only told of: on stairs in the usual style, as others take many plans.
+    pub(super) fn holds(&self, request: &WalkRequest) -> bool {
+        if !matches!(request.ground, WalkGround::Stairs(_)) {
+            return self.planned_at_pace(request, 1.0).is_ok();
+        }
+        self.route(request, 1.0).is_ok_and(|route| self.planned_on(request, 1.0, &route).is_ok())
+    }
+
     /// The same with steps that all last as long as its pace has them.
-    pub(super) fn planned_at_pace(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
+    fn planned_at_pace(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
         let route = self.route(request, part)?;
         match self.planned_on(request, part, &route) {
             Err(error @ GaitError::Plan(_)) => {
@@ -163,9 +156,10 @@ impl<'a> Planner<'a> {
         other_routes(request, usual, Styling::of(request, self.body, part).law.tempo)
     }
 
-    /// The plan on another route, if it holds; of many steps on a slope some decide whether it is tried.
+    /// The plan on another route, if it holds; of many steps on a slope or many stairs some decide whether it is tried.
     fn planned_elsewhere(&self, request: &WalkRequest, part: f64, route: &Route) -> Option<WalkPlan> {
-        if is_slope(request) && route.is_long() {
+        let is_alike = matches!(request.ground, WalkGround::Slope(_) | WalkGround::Stairs(_));
+        if is_alike && route.is_long() {
             self.planned_on(request, part, &route.shortened()).ok()?;
         }
         self.planned_on(request, part, route).ok()
@@ -186,9 +180,15 @@ impl<'a> Planner<'a> {
                 Err(GaitError::Plan(found)) => error = found,
                 Err(_) => return None,
             }
-            // On a slope its steps are shorter at their ends anyway.
-            let other = if is_slope(request) { Vec::new() } else { self.other_routes(request, part, &route) };
-            if let Some(plan) = other.iter().find_map(|route| self.planned_on(request, part, route).ok()) {
+            let most = match request.ground {
+                // Other steps and styles are tried at even pace.
+                WalkGround::Slope(_) => 0,
+                WalkGround::Stairs(_) => 1,
+                _ => usize::MAX,
+            };
+            let other = self.other_routes(request, part, &route);
+            let mut other = other.iter().take(most);
+            if let Some(plan) = other.find_map(|route| self.planned_elsewhere(request, part, route)) {
                 return Some(plan);
             }
         }
@@ -202,10 +202,11 @@ impl<'a> Planner<'a> {
         }
         let usual = self.route(request, part).ok()?;
         let others = self.other_routes(request, part, &usual);
-        let [first, second] = StyleVariant::ON_SLOPES;
-        let varied = std::iter::once(&usual).chain(others.iter().take(OTHER_STEPS_VARIED));
-        let routes = std::iter::once(usual.varied(second)).chain(varied.map(|route| route.varied(first)));
-        routes.into_iter().find_map(|route| self.planned_elsewhere(request, part, &route))
+        let [first, second] = &StyleVariant::ON_SLOPES;
+        let tried = |route: &Route, style| self.planned_elsewhere(request, part, &route.varied(style));
+        let others = std::iter::once(&usual).chain(others.iter().take(OTHER_STEPS_VARIED));
+        let found = others.into_iter().find_map(|route| tried(route, first));
+        found.or_else(|| tried(&usual, second))
     }
 
     /// The same on a route: on level ground in the style of a steady gait, or throughout in that of first and last steps.

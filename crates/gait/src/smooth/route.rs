@@ -26,6 +26,16 @@ const TURNING_STEP_FREQUENCY: f64 = 90.0;
 /// after eight.
 pub(super) const DECIDE: usize = 14;
 
+/// As many stairs do.
+const DECIDING_STAIRS: usize = 6;
+
+/// Leaves no more stairs than decide whether they hold.
+pub(super) fn leave_few_stairs(ground: &mut WalkGround) {
+    if let WalkGround::Stairs(stairs) = ground {
+        stairs.count = stairs.count.min(DECIDING_STAIRS);
+    }
+}
+
 /// As many steps begin a walk, and end it, in a style of their own, and as many before and after one that turns; walks of fewer steps than the last
 /// have no other.
 const FIRST_STEPS: usize = 2;
@@ -225,7 +235,7 @@ impl Route {
     }
 
     /// The same in another style of its slope or its stairs.
-    pub(crate) fn varied(&self, style: StyleVariant) -> Self {
+    pub(crate) fn varied(&self, style: &'static StyleVariant) -> Self {
         Self { way: Way { style, ..self.way }, ..self.clone() }
     }
 
@@ -253,12 +263,20 @@ impl Route {
 
     /// The same with no more steps than decide whether it holds: those of its beginning and its end, and some between.
     pub(crate) fn shortened(&self) -> Self {
-        if self.is_even() { self.with_step_length(self.pace().step_length, DECIDE) } else { self.clone() }
+        let mut shorter = self.clone();
+        if let ([first], true) = (&mut shorter.parts[..], self.is_even()) {
+            first.steps = first.steps.min(DECIDE);
+        }
+        leave_few_stairs(&mut shorter.ground);
+        shorter
     }
 
     /// Whether it has more steps than [`Self::shortened`].
     pub(crate) fn is_long(&self) -> bool {
-        self.is_even() && self.parts[0].steps > DECIDE
+        match &self.ground {
+            WalkGround::Stairs(stairs) => stairs.count > DECIDING_STAIRS,
+            _ => self.is_even() && self.parts[0].steps > DECIDE,
+        }
     }
 
     /// Whether there is only one part, straight on.
@@ -317,13 +335,13 @@ impl Route {
                 StepKind::Slope(slope, step_length) => {
                     let walked = Pace { step_length, ..pace };
                     let style = Style { step_width: width, ..styling.style_from(&table, body, &walked)? };
-                    style.on_slope(&body.leg, body.height, slope).varied(&self.way.style)
+                    style.on_slope(&body.leg, body.height, slope).varied(self.way.style)
                 }
                 // Planted feet do not turn: they point as on the level.
                 StepKind::Stairs { rise, tread } => Style {
                     foot_yaw: level.foot_yaw,
                     manner: level.manner,
-                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise).varied(&self.way.style)
+                    ..on_tread(tread).on_stairs(&body.leg, body.height, rise).varied(self.way.style)
                 },
             })
         };

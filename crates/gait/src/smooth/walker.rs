@@ -9,7 +9,7 @@ use crate::smooth::lopsided::is_lopsided;
 use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::planner::{Planner, is_unusual};
-use crate::smooth::route::{DECIDE, Route};
+use crate::smooth::route::{DECIDE, Route, leave_few_stairs};
 use crate::smooth::style::Style;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
@@ -88,8 +88,7 @@ fn forward_from(
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
             let error = nearest_part(error, request, |part| planned(&shortened(request), part));
-            let holds = |request: &WalkRequest| planner.planned_at_pace(&shortened(request), 1.0).is_ok();
-            let error = advise_on_ground(error, request, holds);
+            let error = advise_on_ground(error, request, &|request| planner.holds(&shortened(request)));
             if !has_other_paces(body, request) {
                 return error;
             }
@@ -113,14 +112,14 @@ fn forward_from(
     Ok(if request.left_first { plan.mirrored() } else { plan })
 }
 
-/// A request for as many steps on a slope as decide whether it holds.
-fn shortened(request: &WalkRequest) -> Cow<'_, WalkRequest> {
-    match (&request.ground, request.extent) {
-        (WalkGround::Slope(_), Extent::Steps(steps)) if steps > DECIDE => {
-            Cow::Owned(WalkRequest { extent: Extent::Steps(DECIDE), ..request.clone() })
-        }
-        _ => Cow::Borrowed(request),
+/// A request for as many steps on a slope, or stairs, as decide whether it holds.
+fn shortened(request: &WalkRequest) -> WalkRequest {
+    let mut request = request.clone();
+    if let (WalkGround::Slope(_), Extent::Steps(steps)) = (&request.ground, &mut request.extent) {
+        *steps = DECIDE.min(*steps);
     }
+    leave_few_stairs(&mut request.ground);
+    request
 }
 
 /// The body as a walk is planned, right foot first: of one that is heavier on one side the mirror image, where the left foot goes first.
@@ -194,7 +193,7 @@ const OTHER_PACE: (f64, i32) = (5.0, 4);
 fn advise_on_ground(
     error: GaitError,
     request: &WalkRequest,
-    holds: impl Fn(&WalkRequest) -> bool,
+    holds: &dyn Fn(&WalkRequest) -> bool,
 ) -> GaitError {
     let GaitError::Plan(PlanError::TooSteep { step, time, what, nearest }) = error else { return error };
     let gentler = || match request.ground {

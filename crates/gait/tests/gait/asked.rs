@@ -90,6 +90,11 @@ fn a_run_and_key_postures_are_made() {
     };
     let made = run.make(&ann()).expect("a run");
     assert!(made.run.is_some() && made.plan.style_name() == "run");
+    let soft = GaitOptions { from: RunEndOptions::Running, give: Some(0.012), ..run };
+    let knee =
+        |options: &GaitOptions| options.make(&ann()).expect("a run").run.expect("measures").knee_stance;
+    let rigid = GaitOptions { give: Some(0.0), ..soft.clone() };
+    assert!(knee(&soft) < knee(&rigid) - 2.0);
     let thesis = GaitOptions { determinants: Some(3), step_frequency: Some(95.0), ..GaitOptions::default() };
     let made = thesis.make(&ann()).expect("a walk");
     assert!(made.run.is_none() && made.plan.style_name() == "thesis" && made.measures.steps == 10);

@@ -24,7 +24,7 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         }
         let changes =
             ends(args).any(|(_, bound)| bound.end != RunEnd::Running) || !args.changes.then.is_empty();
-        if let Some((option, typed)) = of_full_runs(args).filter(|_| changes) {
+        if let Some((option, typed, _)) = of_full_runs(args).filter(|_| changes) {
             let why = "a run has this in full run alone, without --from, --to and --then";
             return Err(CliError::option(option, &typed, why));
         }
@@ -36,22 +36,8 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
             ))
         });
     }
-    match of_full_runs(args) {
-        Some((option @ "forefoot", typed)) => {
-            return Err(CliError::option(
-                option,
-                &typed,
-                "only --gait run has this; a walk lands on its heels",
-            ));
-        }
-        Some((option, typed)) => {
-            return Err(CliError::option(
-                option,
-                &typed,
-                "only --gait run has this; a walk's soles are rigid",
-            ));
-        }
-        None => (),
+    if let Some((option, typed, of_walks)) = of_full_runs(args) {
+        return Err(CliError::option(option, &typed, format!("only --gait run has this; {of_walks}")));
     }
     if let Some((option, end)) = ends(args).next() {
         return Err(CliError::option(
@@ -89,11 +75,12 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
     Err(CliError::option(option, typed, format!("only --style {} has this", other.name())))
 }
 
-/// What was given that full runs alone have, and as it was typed.
-fn of_full_runs(args: &WalkArgs) -> Option<(&'static str, String)> {
+/// What was given that full runs alone have, as it was typed, and what walks do instead.
+fn of_full_runs(args: &WalkArgs) -> Option<(&'static str, String, &'static str)> {
     let manner = &args.manner;
-    let forefoot = manner.forefoot.then(|| ("forefoot", String::new()));
-    forefoot.or_else(|| Some(("give", manner.give?.to_string())))
+    let forefoot = manner.forefoot.then(|| ("forefoot", String::new(), "a walk lands on its heels"));
+    let give = manner.give.filter(|give| *give > 0.0);
+    forefoot.or_else(|| Some(("give", give?.to_string(), "a walk's soles are rigid")))
 }
 
 /// How a run is to begin and to end, where that is said.

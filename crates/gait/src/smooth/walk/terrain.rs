@@ -27,12 +27,12 @@ pub(crate) struct Way {
     pub(crate) otherwise: bool,
     pub(crate) easing: Easing,
     /// In which style, of those on slopes and stairs.
-    pub(crate) style: StyleVariant,
+    pub(crate) style: &'static StyleVariant,
 }
 
 impl Way {
     pub(crate) const USUAL: Self =
-        Self { otherwise: false, easing: Easing::NONE, style: StyleVariant::USUAL };
+        Self { otherwise: false, easing: Easing::NONE, style: &StyleVariant::USUAL };
 }
 
 /// By which parts the second step and the last three, the last one first, last longer than the others: who stops at once after a step as long as
