@@ -91,7 +91,7 @@ cp fixtures/markers/swing.trc walk.trc";
 fn of_walks() {
     let way = "printf 'x,z\n0,3\n1.5,5\n' > way.csv";
     assert_eq!(run("docs/walking.md", way), 2);
-    assert_eq!(run("docs/running.md", ""), 4);
+    assert_eq!(run("docs/running.md", ""), 5);
     assert_eq!(run("docs/chair.md", ""), 1);
     let ground = [("profile.csv", "z,height"), ("stones.csv", "x,z,height")]
         .map(|(file, head)| format!("cat > {file} <<'end'\n{}end\n", quoted("docs/slopes.md", head)))

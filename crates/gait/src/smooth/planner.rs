@@ -204,8 +204,8 @@ impl<'a> Planner<'a> {
         let others = self.other_routes(request, part, &usual);
         let [first, second] = &StyleVariant::ON_SLOPES;
         let tried = |route: &Route, style| self.planned_elsewhere(request, part, &route.varied(style));
-        let others = std::iter::once(&usual).chain(others.iter().take(OTHER_STEPS_VARIED));
-        let found = others.into_iter().find_map(|route| tried(route, first));
+        let mut others = std::iter::once(&usual).chain(others.iter().take(OTHER_STEPS_VARIED));
+        let found = others.find_map(|route| tried(route, first));
         found.or_else(|| tried(&usual, second))
     }
 
