@@ -4,19 +4,20 @@
 //! go from standing to standing. So a player goes from clip to clip where one ends and the next begins, and mixes loops of different speeds at
 //! the same phase. Each clip begins at the origin and faces along z.
 
+mod breath;
 mod clip;
-mod window;
 
 pub use clip::{ClipKind, Joint, Seam, SetClip};
 
 use crate::body::Body;
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::{Extent, WalkPart, WalkRequest};
-use crate::smooth::WalkPlan;
+use crate::smooth::{Excerpt, WalkPlan};
 use crate::styled::{StyledPlan, StyledRequest};
-use crate::walking::on_the_spot;
+use crate::walking::{annotate, on_the_spot};
+use breath::Breath;
+use clip::at_origin;
 use solaris_model::{EventKind, Figure, Motion, MotionInfo, RootOrder, Trajectory};
-use window::{Breath, Window};
 
 /// Step frequencies of the loops over the usual one.
 const PACES: [f64; 5] = [0.64, 0.77, 0.89, 1.0, 1.1];
@@ -231,7 +232,7 @@ impl Maker<'_> {
         clip.repeats = true;
         clip.paced(&plan);
         // A window that begins and ends at the origin.
-        clip.motion = window::at_origin(self.figure, clip.motion)?;
+        clip.motion = at_origin(self.figure, clip.motion)?;
         clip.advance = [0.0, 2.0 * clip.step_length];
         Ok((clip, request.clone()))
     }
@@ -277,11 +278,11 @@ impl Maker<'_> {
             let plan = self.plan(&walk)?;
             let until = contacts(&plan)[STARTS[usize::from(!left_first)] - 1];
             let frames = (until * self.rate).ceil();
-            let window = Window::new(&plan, until - frames / self.rate, until);
+            let excerpt = Excerpt::new(&plan, until - frames / self.rate, until);
             clips.push(self.clip(
                 name,
                 ClipKind::Start,
-                &window,
+                &excerpt,
                 [Joint::Standing, Joint::LeftContact],
                 next,
             )?);
@@ -293,11 +294,11 @@ impl Maker<'_> {
             // Steps with even numbers are the left foot's.
             let from = contacts[STEADY[0] - STOPS - 1];
             let frames = ((plan.duration() - from) * self.rate).ceil();
-            let window = Window::new(&plan, from, from + frames / self.rate);
+            let excerpt = Excerpt::new(&plan, from, from + frames / self.rate);
             clips.push(self.clip(
                 name,
                 ClipKind::Stop,
-                &window,
+                &excerpt,
                 [Joint::LeftContact, Joint::Standing],
                 next,
             )?);
@@ -352,8 +353,8 @@ impl Maker<'_> {
         let contacts = contacts(&plan);
         fitting(|more| {
             let around = LEAD + more;
-            let window = Window::new(&plan, contacts[AROUND - around], contacts[AROUND + steps + around]);
-            let mut clip = self.clip(name, ClipKind::Turn, &window, [Joint::LeftContact; 2], next)?;
+            let excerpt = Excerpt::new(&plan, contacts[AROUND - around], contacts[AROUND + steps + around]);
+            let mut clip = self.clip(name, ClipKind::Turn, &excerpt, [Joint::LeftContact; 2], next)?;
             clip.turn = turn;
             clip.seam = Some(clip.seam_to(next).worse(next.seam_to(&clip)));
             Ok(clip)
@@ -381,8 +382,8 @@ impl Maker<'_> {
         };
         let plan = self.plan(&walk)?;
         let frames = (plan.duration() * self.rate).ceil();
-        let window = Window::new(&plan, 0.0, frames / self.rate);
-        let mut clip = self.clip(name, ClipKind::Turn, &window, [Joint::Standing; 2], next)?;
+        let excerpt = Excerpt::new(&plan, 0.0, frames / self.rate);
+        let mut clip = self.clip(name, ClipKind::Turn, &excerpt, [Joint::Standing; 2], next)?;
         (clip.step_frequency, clip.step_length) = (plan.style().step_frequency, 0.0);
         clip.turn = turn;
         Ok(clip)
@@ -398,7 +399,7 @@ impl Maker<'_> {
         motion.planted = plan.planted(self.figure);
         motion.planted.retain(|planted| planted.start <= 0.0);
         motion.planted.iter_mut().for_each(|planted| planted.end = breath.duration());
-        let motion = window::at_origin(self.figure, motion)?;
+        let motion = at_origin(self.figure, motion)?;
         let mut clip = SetClip::new("idle", ClipKind::Idle, motion, [Joint::Standing; 2]);
         clip.repeats = true;
         Ok(clip)
@@ -408,12 +409,14 @@ impl Maker<'_> {
         &self,
         name: &str,
         kind: ClipKind,
-        window: &Window<'_>,
+        excerpt: &Excerpt<'_>,
         joints: [Joint; 2],
         next: &SetClip,
     ) -> Result<SetClip, GaitError> {
-        let motion = window.motion(self.figure, self.rate)?;
-        let mut clip = SetClip::new(name, kind, window::at_origin(self.figure, motion)?, joints);
+        let info = MotionInfo::on_earth(self.figure, self.rate);
+        let mut motion = Motion::sample(self.figure, excerpt, info)?;
+        annotate(&mut motion, excerpt, self.figure);
+        let mut clip = SetClip::new(name, kind, at_origin(self.figure, motion)?, joints);
         clip.step_frequency = next.step_frequency;
         clip.step_length = next.step_length;
         clip.seam = match joints {

@@ -44,7 +44,7 @@ pub use stair_numbers::StairNumbers;
 pub use stairs::STAIRS;
 pub use stride::StridePlan;
 pub use style::{PelvicList, Style, StyleTable};
-pub(crate) use walk::Standing;
+pub(crate) use walk::{Excerpt, Standing};
 pub use walk::{WalkNumbers, WalkPlan};
 pub(crate) use walker::{has_more_steps, judged, standing_style, styled};
 pub use walker::{walk, walk_in_part};

@@ -22,7 +22,7 @@ pub(crate) struct Push {
     pub(crate) steepest: f64,
     /// Over how much pitch (rad) the foot comes to be flat or begins to rise where the knee's law would press it through the ground.
     pub(crate) softness: f64,
-    /// How far the foot's pitch is rounded off where it would stay at the ground in mid-push, on slopes (rad); none for 0.
+    /// By which part the foot's pitch is rounded off in mid-push, where it would stay at the ground on slopes; by the rest it is as soft as elsewhere.
     pub(crate) rounding: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,

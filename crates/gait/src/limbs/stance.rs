@@ -6,7 +6,7 @@
 use super::jet::{LegJet, jets};
 use super::numbers::{
     JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_WIDTHS, PUSH_ATTEMPTS, PUSH_CHECKED,
-    PUSH_EASES, PUSH_INSTANTS, ROLL_ATTEMPTS, SOFT_WITHIN, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT,
+    PUSH_EASES, PUSH_INSTANTS, ROLL_ATTEMPTS, ROUNDED, SOFT_WITHIN, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT,
     TOE_OFF_GAIN, TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
 };
 use super::path::FootJet;
@@ -372,12 +372,14 @@ impl Stance {
         let ball = self.ball(u);
         let law = self.sole.pitch_on_ball(hip, &ball, knee);
         // Not below 0; on slopes it would stay there in mid-push, and where it leaves is rounded off.
+        let soft = not_below_zero(law, self.softness(u - self.push.heel_off));
         let pitch = if self.push.rounding == 0.0 {
-            not_below_zero(law, self.softness(u - self.push.heel_off))
+            soft
         } else {
             let part = |from: f64| step::quintic((u - from) / PUSH_EASES.1).position;
-            let width = self.push.rounding * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
-            0.5 * (law + law.hypot(width))
+            let width = ROUNDED * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
+            let rounded = 0.5 * (law + law.hypot(width));
+            soft + (rounded - soft) * self.push.rounding
         };
         (self.sole.ankle_on_ball(&ball, pitch), pitch)
     }

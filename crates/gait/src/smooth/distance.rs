@@ -5,7 +5,6 @@ use crate::request::WalkGround;
 use crate::request::pace::{Pace, STEP_LENGTH_MARGIN};
 use crate::smooth::ends::eased;
 use crate::smooth::walk::{Terrain, steps};
-use solaris_model::Relief;
 
 /// How often the steps over a relief are fitted to where they lead.
 const SETTLES: usize = 20;
@@ -14,15 +13,18 @@ const MOST_STARTS: u32 = 12;
 /// What counts as there, of the distance.
 const THERE: f64 = 1e-9;
 
-/// How many steps a distance (m) takes on this ground, and the length of the pace, for step frequencies of this `tempo`. Over a relief as near to it as
+/// How many steps a distance (m) takes on this ground, in the first way over it or the other one, and the length of the pace, for step frequencies of this `tempo`. Over a relief as near to it as
 /// feet find places.
 pub(super) fn to_distance(
     distance: f64,
-    ground: &WalkGround,
+    (ground, otherwise): (&WalkGround, bool),
     leg: &LegGeometry,
     pace: Pace,
     tempo: f64,
 ) -> (usize, f64) {
+    let over = |n: usize, length: f64| {
+        Terrain::parts_on_ground((ground, otherwise), leg, length, &steps::even(n, length))
+    };
     let parts = |n: usize| -> Vec<f64> {
         match ground {
             WalkGround::Level => {
@@ -30,15 +32,13 @@ pub(super) fn to_distance(
                 walked.map(|walked| walked.step_length / pace.step_length).collect()
             }
             WalkGround::Slope(slope) => (0..n).map(|i| Terrain::part_on_slope(*slope, i, n)).collect(),
-            WalkGround::Relief(relief) => {
-                parts_on(relief, leg, n, pace.step_length).unwrap_or_else(|| vec![1.0; n])
-            }
+            WalkGround::Relief(_) => over(n, pace.step_length).unwrap_or_else(|| vec![1.0; n]),
             _ => vec![1.0; n],
         }
     };
     let even = steps::for_distance(distance, pace.step_length, parts);
     match ground {
-        WalkGround::Relief(relief) => over_relief(distance, relief, leg, pace, even).unwrap_or(even),
+        WalkGround::Relief(_) => over_relief(distance, over, pace, even).unwrap_or(even),
         _ => even,
     }
 }
@@ -47,13 +47,12 @@ pub(super) fn to_distance(
 /// those before it are fitted: from one length on all may be others, so that of so many steps there may be none that lead there, but of one more or less.
 fn over_relief(
     distance: f64,
-    relief: &Relief,
-    leg: &LegGeometry,
+    parts: impl Fn(usize, f64) -> Option<Vec<f64>>,
     pace: Pace,
     (count, length): (usize, f64),
 ) -> Option<(usize, f64)> {
     let total = |n: usize, length: f64| -> Option<f64> {
-        let parts = parts_on(relief, leg, n, length)?;
+        let parts = parts(n, length)?;
         Some(steps::factors(n).zip(parts).map(|(factor, part)| factor * part * length).sum())
     };
     // The length to which steps settle, and by how much it misses; none where a foot finds no place.
@@ -82,9 +81,4 @@ fn over_relief(
         }
     }
     nearest.map(|(n, length, _)| (n, length))
-}
-
-/// How long `n` steps over a relief are, over those of a walk with steps of this length (m) on level ground.
-fn parts_on(relief: &Relief, leg: &LegGeometry, n: usize, length: f64) -> Option<Vec<f64>> {
-    Terrain::parts_on_relief(relief, leg, length, &steps::even(n, length))
 }

@@ -2,7 +2,7 @@
 
 use super::style::Style;
 use crate::limbs::jet::LegJet;
-use crate::limbs::numbers::STEEPEST_PITCH;
+use crate::limbs::numbers::{ROUNDED, STEEPEST_PITCH};
 use crate::limbs::push::Push;
 use crate::limbs::stance::{Footing, Landing};
 use crate::limbs::swing::{Clearance, Swing, Way};
@@ -84,7 +84,7 @@ impl Style {
             toe_roll: self.toe_roll,
             least_knee: f64::NEG_INFINITY,
             most_knee: self.toe_off_most,
-            rounding: self.push_softness,
+            rounding: (self.push_softness / ROUNDED).clamp(0.0, 1.0),
             most_roll: self.manner.toe_roll_part,
             steepest: STEEPEST_PITCH,
             softness: self.footfall.softness,

@@ -6,10 +6,10 @@ use crate::measure::{Peak, extremes};
 use crate::request::pace::{Pace, tidy};
 use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
-use crate::smooth::walk::WalkPlan;
+use crate::smooth::walk::{Excerpt, WalkPlan};
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, ground_reactions};
-use solaris_model::{Contact, Figure, Motion};
+use solaris_model::{Contact, Figure, Motion, Trajectory};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -47,6 +47,9 @@ pub(super) const FINER_RATE: f64 = 480.0;
 /// looked at (1/s).
 const NEARLY_STRAIGHT: f64 = DEGREE;
 pub(super) const FINEST_RATE: f64 = 960.0;
+/// From before a foot lands to after it (u): there a motion is looked at [`FINEST_RATE`] times a second. What is asked of the ground for some milliseconds
+/// only was asked from 0.012 before a landing to 0.043 after it, in all of 16 walks on ground that is not level, and in 17 of 19 on level ground.
+const LANDING: [f64; 2] = [-0.03, 0.08];
 
 /// Judges plans of a route.
 #[derive(Clone, Copy)]
@@ -173,20 +176,37 @@ impl PlanCheck<'_> {
             (false, true) => FINE_RATE,
             (false, false) => RATE,
         };
-        let mut motion = plan.motion(self.figure, rate.max(self.least_rate))?;
-        let reactions = ground_reactions(self.figure, &mut motion, FEET, plan);
+        let rate = rate.max(self.least_rate);
+        self.check_excerpt(plan, (0.0, plan.duration()), rate)?;
+        let finely = if self.route.is_level() { FINER_RATE } else { FINEST_RATE };
+        if rate >= finely {
+            return Ok(());
+        }
+        // From the last step to the closing foot.
+        for step in 1..=plan.steps() + 1 {
+            let lands = 0.5 * step as f64;
+            let [from, to] = LANDING.map(|clock| plan.time(lands + clock));
+            self.check_excerpt(plan, (from.min(to), from.max(to)), finely)?;
+        }
+        Ok(())
+    }
+
+    /// The same from a time to a later one (s).
+    fn check_excerpt(&self, plan: &WalkPlan, (from, to): (f64, f64), rate: f64) -> Result<(), GaitError> {
+        let excerpt = Excerpt::new(plan, from, to);
+        let mut motion = excerpt.motion(self.figure, rate)?;
+        let clock_at = |time: f64| plan.clock_at(from + time);
+        let reactions = ground_reactions(self.figure, &mut motion, FEET, &excerpt);
         let reactions = reactions.map_err(|error| match error {
-            ReactionError::Pulls { time, .. } => self.refusal(
-                plan,
-                plan.clock_at(time),
-                "the ground would have to pull at the feet".to_owned(),
-            ),
+            ReactionError::Pulls { time, .. } => {
+                self.refusal(plan, clock_at(time), "the ground would have to pull at the feet".to_owned())
+            }
             error => error.into(),
         })?;
-        self.check_ranges(plan, &motion)?;
+        self.check_ranges(plan, &motion, clock_at)?;
         let found = extremes(self.figure, &motion)?;
         let fails = |bad: bool, peak: Peak, what: String| {
-            if bad { Err(self.refusal(plan, plan.clock_at(peak.time), what)) } else { Ok(()) }
+            if bad { Err(self.refusal(plan, clock_at(peak.time), what)) } else { Ok(()) }
         };
         if !self.route.is_level() {
             let (pressed, weight) = (found.vertical, 100.0);
@@ -210,7 +230,7 @@ impl PlanCheck<'_> {
         let frictions = if self.route.is_level() {
             [Some(("the", found.friction, FRICTION.0)), Some(("a foot's", found.foot_friction, FRICTION.1))]
         } else {
-            [None, Some(("a foot's", Self::friction_on_ground(plan, &motion), FRICTION.1))]
+            [None, Some(("a foot's", Self::friction_on_ground(plan, &motion, clock_at), FRICTION.1))]
         };
         for (whose, peak, limit) in frictions.into_iter().flatten() {
             let what = Self::friction(whose, peak.value, limit);
@@ -224,7 +244,7 @@ impl PlanCheck<'_> {
     }
 
     /// The greatest friction of a foot that bears more than 5 % of the weight, by its own normal.
-    fn friction_on_ground(plan: &WalkPlan, motion: &Motion) -> Peak {
+    fn friction_on_ground(plan: &WalkPlan, motion: &Motion, clock_at: impl Fn(f64) -> f64) -> Peak {
         let mut greatest = Peak { value: 0.0, time: 0.0 };
         for (side, foot) in FEET.iter().enumerate() {
             let track = motion.contacts.iter().find(|track| track.link == *foot);
@@ -232,7 +252,7 @@ impl PlanCheck<'_> {
                 if contact.force.y <= 0.05 * plan.weight() {
                     continue;
                 }
-                let value = friction_on(&contact.force, &plan.normals(plan.clock_at(time))[side]);
+                let value = friction_on(&contact.force, &plan.normals(clock_at(time))[side]);
                 if value.is_nan() || value > greatest.value {
                     greatest = Peak { value, time };
                 }
@@ -242,7 +262,12 @@ impl PlanCheck<'_> {
     }
 
     /// No joint is farther beyond its range than it may be.
-    fn check_ranges(&self, plan: &WalkPlan, motion: &Motion) -> Result<(), GaitError> {
+    fn check_ranges(
+        &self,
+        plan: &WalkPlan,
+        motion: &Motion,
+        clock_at: impl Fn(f64) -> f64,
+    ) -> Result<(), GaitError> {
         let fast = plan.style().step_frequency > FAST * self.tempo;
         let limit = match (self.route.is_level(), self.deviates) {
             (false, _) => BEYOND[2],
@@ -260,7 +285,7 @@ impl PlanCheck<'_> {
         };
         let (name, by) = (&self.figure.layout().v_names()[beyond.dof], beyond.by.to_degrees());
         let what = format!("{name} would be {by:.1}° beyond its range");
-        Err(self.refusal(plan, plan.clock_at(time), what))
+        Err(self.refusal(plan, clock_at(time), what))
     }
 
     /// Why the plan does not hold: of a walk that changes on the way, where.

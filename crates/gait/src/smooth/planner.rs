@@ -1,9 +1,10 @@
 //! The planner of one walk: tries what may hold, and judges it.
 
-use crate::body::Body;
+use crate::body::{Body, LegGeometry};
 use crate::error::{GaitError, PlanError};
 use crate::request::pace::{Pace, STEP_FREQUENCY};
 use crate::request::{Extent, WalkGround, WalkRequest};
+use crate::smooth::distance::to_distance;
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINE_RATE, FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
 use crate::smooth::route::Route;
@@ -21,13 +22,32 @@ const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.8
 /// How many of [`OTHER_STEPS_ON_SLOPES`] are tried in another style, too.
 const OTHER_STEPS_VARIED: usize = 4;
 
+/// How far from a distance a walk may end (m) before other steps are tried.
+const THERE: f64 = 1e-6;
+
+/// Whether it ends where it is asked to: over a relief steps are fitted to a distance as nearly as feet find places.
+fn leads_there(request: &WalkRequest, plan: &WalkPlan) -> bool {
+    match (&request.ground, request.extent) {
+        (WalkGround::Relief(_), Extent::Distance(distance)) => {
+            (plan.destination().0.z - distance).abs() < THERE
+        }
+        _ => true,
+    }
+}
+
 fn is_slope(request: &WalkRequest) -> bool {
     matches!(request.ground, WalkGround::Slope(_))
 }
 
-/// The usual route with other steps, as far as a request leaves them open: of other lengths, as many as lead to its distance, and at another frequency
-/// where a speed alone is asked for on a slope.
-fn with_other_steps(request: &WalkRequest, usual: &Route, tempo: f64, parts: &[f64]) -> Vec<Route> {
+/// The usual route, or the second one, with other steps, as far as a request leaves them open: of other lengths, as many as lead to its distance, and at
+/// another frequency where a speed alone is asked for on a slope.
+fn with_other_steps(
+    request: &WalkRequest,
+    usual: &Route,
+    leg: &LegGeometry,
+    tempo: f64,
+    (parts, otherwise): (&[f64], bool),
+) -> Vec<Route> {
     let slope = if let WalkGround::Slope(slope) = request.ground { Some(slope) } else { None };
     let keeps_speed = request.speed.is_some();
     if request.step_length.is_some() || keeps_speed && (slope.is_none() || request.step_frequency.is_some()) {
@@ -43,20 +63,34 @@ fn with_other_steps(request: &WalkRequest, usual: &Route, tempo: f64, parts: &[f
                 let (n, length) = steps::for_distance(distance, part * step_length, parts);
                 (Some(n), length)
             }
-            _ => return None,
+            (Extent::Distance(distance), None) => {
+                let pace = Pace { step_frequency, step_length: part * step_length };
+                let (n, length) = to_distance(distance, (&request.ground, otherwise), leg, pace, tempo);
+                (Some(n), length)
+            }
         };
         let quicker = if keeps_speed { step_length / length } else { 1.0 };
         let pace = Pace { step_frequency: step_frequency * quicker, step_length: length };
-        // As many steps to a distance are the same ones.
-        let is_other = (length / step_length - 1.0).abs() > 1e-9;
-        (is_other && frequencies.contains(&pace.step_frequency)).then(|| usual.with_pace(pace, steps))
+        frequencies.contains(&pace.step_frequency).then_some((pace, steps))
     };
-    parts.iter().filter_map(other).collect()
+    // As many steps to a distance are the same ones.
+    let mut lengths = if otherwise { Vec::new() } else { vec![step_length] };
+    let mut is_other = |length: f64| {
+        let is_other = lengths.iter().all(|known| (length / known - 1.0).abs() > 1e-9);
+        lengths.push(length);
+        is_other
+    };
+    let others = parts.iter().filter_map(other).filter(|(pace, _)| is_other(pace.step_length));
+    let route = |(pace, steps)| {
+        let route = usual.with_pace(pace, steps);
+        if otherwise { route.otherwise() } else { route }
+    };
+    others.map(route).collect()
 }
 
 /// Other routes over ground on which a walk does not hold on the usual one: with other steps, over footholds in the style of the slope around them, over
 /// edges as stairs.
-fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> {
+fn other_routes(request: &WalkRequest, usual: &Route, leg: &LegGeometry, tempo: f64) -> Vec<Route> {
     match request.ground {
         WalkGround::Footholds(_) => vec![usual.otherwise()],
         WalkGround::Stairs(stairs) => {
@@ -64,14 +98,12 @@ fn other_routes(request: &WalkRequest, usual: &Route, tempo: f64) -> Vec<Route> 
             let others = if up { &StyleVariant::UP_STAIRS[..] } else { &StyleVariant::DOWN_STAIRS };
             others.iter().map(|style| usual.varied(style)).collect()
         }
-        WalkGround::Slope(_) => with_other_steps(request, usual, tempo, &OTHER_STEPS_ON_SLOPES),
+        WalkGround::Slope(_) => with_other_steps(request, usual, leg, tempo, (&OTHER_STEPS_ON_SLOPES, false)),
         WalkGround::Relief(_) => {
-            let other = with_other_steps(request, usual, tempo, &OTHER_STEPS);
-            if other.is_empty() {
-                return other;
-            }
-            let over_edges: Vec<Route> = std::iter::once(usual).chain(&other).map(Route::otherwise).collect();
-            other.into_iter().chain(over_edges).collect()
+            let others = with_other_steps(request, usual, leg, tempo, (&OTHER_STEPS, false));
+            let parts: Vec<f64> = std::iter::once(1.0).chain(OTHER_STEPS).collect();
+            let over_edges = with_other_steps(request, usual, leg, tempo, (&parts, true));
+            others.into_iter().chain(over_edges).collect()
         }
         WalkGround::Level => Vec::new(),
     }
@@ -143,17 +175,18 @@ impl<'a> Planner<'a> {
     /// The same with steps that all last as long as its pace has them.
     fn planned_at_pace(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
         let route = self.route(request, part)?;
-        match self.planned_on(request, part, &route) {
-            Err(error @ GaitError::Plan(_)) => {
-                let other = self.other_routes(request, part, &route);
-                other.iter().find_map(|route| self.planned_elsewhere(request, part, route)).ok_or(error)
-            }
-            found => found,
+        let found = self.planned_on(request, part, &route);
+        match &found {
+            Err(GaitError::Plan(_)) => {}
+            Ok(plan) if !leads_there(request, plan) => {}
+            _ => return found,
         }
+        let others = self.other_routes(request, part, &route);
+        others.iter().find_map(|route| self.planned_elsewhere(request, part, route)).map_or(found, Ok)
     }
 
     fn other_routes(&self, request: &WalkRequest, part: f64, usual: &Route) -> Vec<Route> {
-        other_routes(request, usual, Styling::of(request, self.body, part).law.tempo)
+        other_routes(request, usual, &self.body.leg, Styling::of(request, self.body, part).law.tempo)
     }
 
     /// The plan on another route, if it holds; of many steps on a slope or many stairs some decide whether it is tried.
@@ -162,7 +195,7 @@ impl<'a> Planner<'a> {
         if is_alike && route.is_long() {
             self.planned_on(request, part, &route.shortened()).ok()?;
         }
-        self.planned_on(request, part, route).ok()
+        self.planned_on(request, part, route).ok().filter(|plan| leads_there(request, plan))
     }
 
     /// The same, slower at its ends, where it does not hold there.

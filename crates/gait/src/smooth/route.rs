@@ -101,7 +101,8 @@ impl Route {
                 range("distance", distance, " m", (SHORTEST_DISTANCE, longest.floor()), || {
                     format!(", {} steps at most", STEPS.1)
                 })?;
-                let (steps, length) = to_distance(distance, &request.ground, &body.leg, pace, law.tempo);
+                let (steps, length) =
+                    to_distance(distance, (&request.ground, false), &body.leg, pace, law.tempo);
                 pace.step_length = length;
                 steps
             }

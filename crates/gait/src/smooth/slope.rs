@@ -3,7 +3,7 @@
 use super::footfall::Footfall;
 use super::style::{Style, StyleTable};
 use crate::body::{LegGeometry, REFERENCE_HEIGHT};
-use crate::limbs::numbers::MOST_KNEE_TOE_OFF;
+use crate::limbs::numbers::{MOST_KNEE_TOE_OFF, ROUNDED};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -29,9 +29,8 @@ const COP_APART: f64 = 0.01;
 /// The least factor of the pressure's quick way forward on a slope: that of slow steps is small on level ground, and uphill less by as much as that of all others.
 const LEAST_COP_FORWARD: f64 = 0.2;
 
-/// Slopes, either way, from which on the push is rounded off fully (rad), and by how much (rad).
+/// Slopes, either way, from which on the push is rounded off fully (rad).
 const SOFT_FROM: f64 = 5.0 * DEGREE;
-const SOFTNESS: f64 = DEGREE;
 
 /// How much more than on level ground a knee may be bent at toe-off downhill, over the slope.
 const MORE_KNEE_DOWNHILL: f64 = 1.2;
@@ -86,7 +85,7 @@ impl Style {
         style.thorax_lean += change(DEGREE, 5.0, 1.0);
         style.anterior_tilt += change(DEGREE, 3.0, 0.0);
 
-        style.push_softness = SOFTNESS * (slope.abs() / SOFT_FROM).min(1.0);
+        style.push_softness = ROUNDED * (slope.abs() / SOFT_FROM).min(1.0);
         style.toe_off_most = MOST_KNEE_TOE_OFF + MORE_KNEE_DOWNHILL * (-slope).max(0.0);
         // Once the heel has risen the pressure is under the ball or ahead of it.
         let ball = leg.heel_behind + leg.ball_ahead - COP_BEHIND_BALL * height / REFERENCE_HEIGHT;
@@ -100,8 +99,8 @@ impl Style {
 }
 
 impl StyleTable {
-    /// The level style that walks over other ground are made of: their changes were fitted with the recipe's footfall.
+    /// The level style that walks over other ground are made of.
     pub fn on_ground() -> Self {
-        Self { footfall: Footfall::RECIPE, ..Self::unsteady() }
+        Self { footfall: Footfall::ON_GROUND, ..Self::unsteady() }
     }
 }

@@ -3,6 +3,7 @@
 mod check;
 mod course;
 mod edges;
+mod excerpt;
 mod feet;
 mod footholds;
 mod gaits;
@@ -22,6 +23,7 @@ mod terrain;
 mod timeline;
 
 pub(crate) use course::Step;
+pub(crate) use excerpt::Excerpt;
 pub(crate) use grounded::Grounded;
 pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;

@@ -326,7 +326,9 @@ fn walked(
                     if said.contains("NaN") { vec![format!("is refused by {said}")] } else { Vec::new() }
                 },
                 |(plan, _)| {
-                    let rate = [60.0, 120.0, 240.0][number as usize % 3];
+                    let level = request.ground == WalkGround::Level;
+                    let rates = if level { [60.0, 120.0, 240.0] } else { [60.0, 240.0, 960.0] };
+                    let rate = rates[number as usize % 3];
                     let mut motion = plan.motion(figure, rate).expect("sampled");
                     faults(&asked, plan, &mut motion)
                 },

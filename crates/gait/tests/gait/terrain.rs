@@ -18,9 +18,9 @@ pub(crate) fn request(ground: WalkGround, step_frequency: f64) -> WalkRequest {
     }
 }
 
-fn walked(figure: &Figure, request: &WalkRequest) -> (Motion, ReactionReport, WalkExtremes) {
+fn walked(figure: &Figure, request: &WalkRequest, rate: f64) -> (Motion, ReactionReport, WalkExtremes) {
     let plan = walk(figure, request).unwrap_or_else(|error| panic!("{:?}: {error}", request.ground));
-    let mut motion = plan.motion(figure, 120.0).expect("a motion");
+    let mut motion = plan.motion(figure, rate).expect("a motion");
     let report = ground_reactions(figure, &mut motion, FEET, &plan).expect("forces");
     let measures = measure(figure, &motion).expect("measures").extremes;
     (motion, report, measures)
@@ -31,9 +31,18 @@ pub(crate) fn judge(name: &str, figure: &Figure, request: &WalkRequest) {
     judge_loaded(name, figure, request, 150.0);
 }
 
+/// The same, judged as often as what lasts for a millisecond asks for.
+fn judge_finely(name: &str, figure: &Figure, request: &WalkRequest) {
+    judge_sampled(name, figure, request, (160.0, 960.0));
+}
+
 /// The same with another greatest vertical force (%BW).
 pub(crate) fn judge_loaded(name: &str, figure: &Figure, request: &WalkRequest, vertical: f64) {
-    let (motion, report, measures) = walked(figure, request);
+    judge_sampled(name, figure, request, (vertical, 120.0));
+}
+
+fn judge_sampled(name: &str, figure: &Figure, request: &WalkRequest, (vertical, rate): (f64, f64)) {
+    let (motion, report, measures) = walked(figure, request, rate);
     let most = |what: &str, value: f64, limit: f64| {
         assert!(value <= limit, "{name}: {what} is {value}, not within {limit}");
     };
@@ -100,6 +109,25 @@ fn slopes_from_standing_to_standing() {
         let ground = WalkGround::Slope(f64::to_radians(slope));
         let short = WalkRequest { extent: Extent::Steps(steps), ..request(ground, 100.0) };
         judge(&format!("{steps} steps on {slope}°"), &ann, &short);
+    }
+}
+
+/// Feet that came to be flat, or rose, at once pressed 6 to 18 mm beside themselves for some milliseconds.
+#[test]
+fn feet_come_down_and_rise_softly() {
+    let slope = |degrees: f64| WalkGround::Slope(degrees.to_radians());
+    let stairs = |count, rise, tread| WalkGround::Stairs(Stairs { count, rise, tread });
+    for (height, ground, step_frequency) in [
+        (1.94, relief(&[[1.8895, 0.0], [1.8895, 0.0979]]), 110.0),
+        (1.80, slope(0.56), 115.0),
+        (1.95, slope(0.97), 116.0),
+        (1.55, slope(-14.9), 110.0),
+        (1.92, slope(-12.9), 108.0),
+        (1.79, stairs(8, 0.192, 0.313), 72.0),
+        (1.92, stairs(4, -0.191, 0.301), 109.0),
+    ] {
+        let person = human(height, 23.8 * height * height).expect("a person");
+        judge_finely(&format!("{ground:?}, {height} m"), &person, &request(ground, step_frequency));
     }
 }
 
@@ -218,12 +246,14 @@ fn kerbs() {
 }
 
 #[test]
-fn who_asks_for_a_distance_or_a_step_length_gets_no_other() {
+fn who_asks_for_a_distance_or_a_step_length_gets_that_or_nothing() {
     let ann = human(1.75, 73.0).expect("a person");
     let kerb = request(relief(&[[2.0, 0.0], [2.0, 0.15]]), 90.0);
     assert!(walk(&ann, &kerb).is_ok());
+    let distance = WalkRequest { extent: Extent::Distance(8.0), ..kerb.clone() };
+    let plan = walk(&ann, &distance).expect("a walk");
+    assert!((plan.destination().0.z - 8.0).abs() < 1e-6);
     for asked in [
-        WalkRequest { extent: Extent::Distance(8.0), ..kerb.clone() },
         WalkRequest { step_length: Some(0.6), ..kerb.clone() },
         WalkRequest { speed: Some(0.9), step_frequency: None, ..kerb.clone() },
     ] {
@@ -375,8 +405,10 @@ fn a_distance_over_a_ramp_is_met() {
         let off = plan.destination().0.z - distance;
         assert!(off.abs() < 1e-6, "{slope}°: {off} m beside {distance} m");
     }
-    // Before a kerb and after it, where steps fewer, more, shorter and longer are what leads there.
-    for (height, distance) in [(0.06, 3.65), (0.06, 4.25), (0.06, 6.0), (-0.12, 4.1), (-0.12, 2.6)] {
+    // Before a kerb and after it, where steps fewer, more, shorter and longer are what leads there, or edges as stairs.
+    for (height, distance) in
+        [(0.06, 3.65), (0.06, 4.25), (0.06, 6.0), (-0.12, 4.1), (-0.12, 2.6), (-0.14, 6.4), (0.12, 4.9)]
+    {
         let kerb = relief(&[[3.0, 0.0], [3.0, height]]);
         let asked = WalkRequest { extent: Extent::Distance(distance), ..request(kerb, 100.0) };
         let plan = walk(&ann, &asked).unwrap_or_else(|error| panic!("kerb of {height} m: {error}"));

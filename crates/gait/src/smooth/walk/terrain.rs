@@ -206,14 +206,16 @@ impl Terrain {
         Ok(Self { relief, steps, kinds, standing: 0.0 })
     }
 
-    /// How long the steps over a relief are, over what these level ones of a pace whose steps are `usual` long (m) are; `None` where a foot finds no place.
-    pub(crate) fn parts_on_relief(
-        relief: &Relief,
+    /// How long the steps over ground are, in the first way or the other one, over what these level ones of a pace whose steps are `usual` long (m) are; `None` where
+    /// a foot finds no place.
+    pub(crate) fn parts_on_ground(
+        (ground, otherwise): (&WalkGround, bool),
         leg: &LegGeometry,
         usual: f64,
         levels: &[Step],
     ) -> Option<Vec<f64>> {
-        let found = Self::on_relief(relief, leg, usual, levels).ok()?;
+        // How far apart feet are makes no difference along the way.
+        let found = Self::in_way(ground, leg, (usual, 0.0), levels, [false, otherwise]).ok()??;
         Some(found.steps.iter().zip(levels).map(|(step, level)| step.length / level.length).collect())
     }
 
