@@ -122,3 +122,40 @@ fn kerbs_pavements_and_flights_are_climbed_by_anybody_at_any_pace() {
     println!("{walked} of {PROFILES}");
     assert!(walked >= 95, "{walked} of {PROFILES} were climbed");
 }
+
+/// Pavements and roads fall to their gutters: a kerb of 6 to 16 cm, up or down, between ground of up to 3° either way.
+#[test]
+fn kerbs_between_ground_that_falls_are_climbed() {
+    let (all, mut walked) = (40_u32, 0);
+    for number in 0..all {
+        let mut chance = Chance(u64::from(number) + 1301);
+        for _ in 0..4 {
+            chance.between(0.0, 1.0);
+        }
+        let mut slope = || chance.between(-3.0, 3.0).to_radians().tan();
+        let (before, after) = (slope(), slope());
+        let at = chance.between(1.6, 4.0);
+        let up = if chance.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
+        let below = (at - 1.0) * before;
+        let above = below + up * chance.between(0.06, 0.16);
+        let points = vec![[1.0, 0.0], [at, below], [at, above], [at + 4.0, above + 4.0 * after]];
+        let height = chance.between(1.5, 1.95);
+        let person = human(height, 23.8 * height * height).expect("a person");
+        let ask = WalkRequest {
+            extent: Extent::Steps(12),
+            ..request(
+                WalkGround::Relief(Relief::new(points).expect("a relief")),
+                chance.between(75.0, 110.0).round(),
+            )
+        };
+        match walk(&person, &ask) {
+            Ok(_) => {
+                walked += 1;
+                judge_loaded(&format!("kerb {number}"), &person, &ask, 165.0);
+            }
+            Err(error) => println!("kerb {number}, {height:.2} m, {:?}: {error}", ask.ground),
+        }
+    }
+    println!("{walked} of {all}");
+    assert!(walked >= 34, "{walked} of {all} were climbed");
+}

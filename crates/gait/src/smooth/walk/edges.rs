@@ -18,8 +18,9 @@ const ALONE: [f64; 4] = [0.32, 0.29, 0.35, 0.26];
 const STOPS_BEFORE: f64 = 0.1;
 /// By how much the level steps between may be shorter and longer than they would be.
 const FITTED: (f64, f64) = (0.72, 1.15);
-/// What counts as level beside an edge (m).
+/// What counts as even beside an edge (m), and the steepest ground there (rad): pavements and roads fall to their gutters by as much.
 const LEVEL: f64 = 2e-3;
+const STEEPEST_BESIDE: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// What numbers of a file may miss by rounding (m).
 const ROUNDING: f64 = 1e-9;
 
@@ -115,11 +116,12 @@ impl<'a> Places<'a> {
             let from = into.filter(|(rise, _)| *rise > 0.0).map_or(0.0, overhangs);
             let to = out.filter(|(rise, _)| *rise < 0.0).map_or(sole, overhangs);
             let (from, to) = (z + from + EDGE, z + to - EDGE);
-            let height = relief.height(0.5 * (from + to));
-            let is_level = |y: f64| (y - height).abs() <= LEVEL;
-            let inside = relief.points().iter().filter(|point| (from..=to).contains(&point[0]));
-            let level = [from, to].map(|z| relief.height(z)).into_iter().chain(inside.map(|point| point[1]));
-            level.into_iter().all(is_level).then_some((height, 0.0))
+            let (begins, ends) = (relief.height(from), relief.height(to));
+            let slope = (ends - begins) / (to - from);
+            let line = |at: f64| begins + (at - from) * slope;
+            let is_even = |[at, height]: &[f64; 2]| (height - line(*at)).abs() <= LEVEL;
+            let mut inside = relief.points().iter().filter(|point| (from..=to).contains(&point[0]));
+            (slope.atan().abs() <= STEEPEST_BESIDE && inside.all(is_even)).then(|| (line(*z), slope.atan()))
         };
         self.at.iter().enumerate().map(print).collect()
     }
