@@ -32,6 +32,7 @@ const WHOLE: &[&str] = &[
     "crates/skin/README.md",
     "crates/solaris/README.md",
     "crates/text/README.md",
+    "docs/chair.md",
     "docs/drives.md",
     "docs/engines.md",
     "docs/installing.md",

@@ -124,6 +124,11 @@ mod tests {
     use super::*;
 
     #[test]
+    fn so_many_numbers_are_fitted() {
+        assert_eq!(FITTED, 33);
+    }
+
+    #[test]
     fn the_parts_of_a_spline_sum_to_one_and_end_in_nothing() {
         for x in [0.0, 0.25, 0.5, 0.999] {
             let sum: f64 = (0..6).map(|k| quintic_part(x + f64::from(k))).sum();

@@ -5,9 +5,11 @@ use solaris_dynamics::{Tree, Workspace, Wrench, center_of_mass, inverse_dynamics
 use solaris_gait::{
     ChairMeasures, ChairMotion, ChairPlan, ChairRequest, Extent, WalkRequest, chair, measure_chair, walk,
 };
-use solaris_model::{Contact, Figure, Human, Motion, Trajectory, Vector3, human};
+use solaris_model::{Contact, Figure, Human, Motion, SolePart, Trajectory, Vector3, human};
 
 const RATE: f64 = 120.0;
+/// Where heels stand along z (m).
+const HEELS: f64 = 0.0;
 
 fn person() -> Figure {
     human(1.75, 73.0).expect("a person")
@@ -272,6 +274,21 @@ fn it_ends_as_walks_begin() {
         for (k, (a, b)) in risen.iter().zip(&walking).enumerate() {
             assert!((a - b).abs() < 1e-9, "{k}: {a} {b}");
         }
+    }
+}
+
+#[test]
+fn heels_stand_at_the_origin() {
+    let figure = person();
+    let (_, motion, _) = planned(&figure, &ChairRequest::default());
+    let tree = Tree::<f64>::new(&figure, motion.info.gravity).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    center_of_mass(&tree, &mut workspace, motion.q(0)).expect("poses");
+    for name in ["left_foot", "right_foot"] {
+        let link = figure.link_index(name).expect("a foot");
+        let heel = figure.links()[link].sole_point(SolePart::Heel).expect("a heel");
+        let at = workspace.pose(link).transform(heel).z;
+        assert!((at - HEELS).abs() < 1e-9, "{name}: {at}");
     }
 }
 
