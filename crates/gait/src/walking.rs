@@ -40,10 +40,21 @@ pub(crate) fn sampled(
     fingerprint: u64,
     rate: f64,
 ) -> Result<Motion, ReactionError> {
+    let mut motion = balanced(figure, walk, fingerprint, rate)?;
+    annotate(&mut motion, walk, figure);
+    Ok(motion)
+}
+
+/// The samples alone.
+pub(crate) fn balanced(
+    figure: &Figure,
+    walk: &impl Trajectory,
+    fingerprint: u64,
+    rate: f64,
+) -> Result<Motion, ReactionError> {
     let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
     let mut motion = Motion::sample(figure, walk, info)?;
     balance_momentum(figure, walk, &mut motion)?;
-    annotate(&mut motion, walk, figure);
     Ok(motion)
 }
 

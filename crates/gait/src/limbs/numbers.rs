@@ -35,7 +35,7 @@ pub(super) const WAYPOINT_GAIN: f64 = 1.3;
 pub(super) const TOE_OFF_GAIN: f64 = 1.5;
 /// The greatest knee flexion that toe-off is bent to.
 pub(crate) const MOST_KNEE_TOE_OFF: f64 = 60.0 * DEGREE;
-/// Over how much pitch (rad) it is rounded off in the push on a slope.
+/// Over how much pitch (rad) a foot is rounded off in mid-push on a slope.
 pub(crate) const ROUNDED: f64 = DEGREE;
 /// Until when a foot's pitch is rounded off in the push on a slope (u), and how long that takes to come and go.
 pub(super) const PUSH_EASES: (f64, f64) = (0.50, 0.06);

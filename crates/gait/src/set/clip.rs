@@ -129,6 +129,22 @@ impl SetClip {
     }
 }
 
+/// A motion that begins at the origin: without where its root stands along x and z at first.
+pub(super) fn at_origin(figure: &Figure, motion: Motion) -> Result<Motion, MotionError> {
+    let nq = figure.layout().nq();
+    // The root of a walker slides along x, y, z first.
+    let root = figure.layout().joints()[0].q;
+    let [mut q, v, a] = motion.columns().map(<[f64]>::to_vec);
+    let (x, z) = (q[root], q[root + 2]);
+    for row in q.chunks_exact_mut(nq) {
+        row[root] -= x;
+        row[root + 2] -= z;
+    }
+    let mut moved = motion;
+    moved.set_states(figure, [q, v, a])?;
+    Ok(moved)
+}
+
 #[cfg(feature = "serde")]
 mod written {
     use super::{Seam, SetClip};
@@ -182,20 +198,4 @@ mod written {
             fields.end()
         }
     }
-}
-
-/// A motion that begins at the origin: without where its root stands along x and z at first.
-pub(super) fn at_origin(figure: &Figure, motion: Motion) -> Result<Motion, MotionError> {
-    let nq = figure.layout().nq();
-    // The root of a walker slides along x, y, z first.
-    let root = figure.layout().joints()[0].q;
-    let [mut q, v, a] = motion.columns().map(<[f64]>::to_vec);
-    let (x, z) = (q[root], q[root + 2]);
-    for row in q.chunks_exact_mut(nq) {
-        row[root] -= x;
-        row[root + 2] -= z;
-    }
-    let mut moved = motion;
-    moved.set_states(figure, [q, v, a])?;
-    Ok(moved)
 }

@@ -8,13 +8,15 @@ use crate::smooth::walk::{Terrain, steps};
 
 /// How often the steps over a relief are fitted to where they lead.
 const SETTLES: usize = 20;
+/// How many secants are drawn after that.
+const SECANTS: usize = 6;
 /// From how many per cent longer and shorter steps on that is tried at most.
 const MOST_STARTS: u32 = 12;
 /// What counts as there, of the distance.
 const THERE: f64 = 1e-9;
 
-/// How many steps a distance (m) takes on this ground, in the first way over it or the other one, and the length of the pace, for step frequencies of this `tempo`. Over a relief as near to it as
-/// feet find places.
+/// How many steps a distance (m) takes on this ground, in the first way over it or the other one, and the length of the pace, for step frequencies of this
+/// `tempo`. Over a relief as near to it as feet find places.
 pub(super) fn to_distance(
     distance: f64,
     (ground, otherwise): (&WalkGround, bool),
@@ -61,10 +63,23 @@ fn over_relief(
         for _ in 0..SETTLES {
             length *= distance / total(n, length)?;
         }
-        Some((length, (total(n, length)? - distance).abs()))
+        let mut off = total(n, length)? - distance;
+        // Where steps before an edge stay as long as they are that comes near to it slowly: on by secants.
+        let (mut other, mut other_off) = (from, total(n, from)? - distance);
+        for _ in 0..SECANTS {
+            let slope = (off - other_off) / (length - other);
+            if off.abs() < THERE * distance || slope.is_nan() || slope <= 0.0 {
+                break;
+            }
+            let next = length - off / slope;
+            (other, other_off) = (length, off);
+            (length, off) = (next, total(n, next)? - distance);
+        }
+        Some((length, off.abs()))
     };
     let longest = (1.0 + STEP_LENGTH_MARGIN) * pace.step_length;
-    let stretched = (0..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
+    let other = (1..=MOST_STARTS).flat_map(|k| [1.0 + 0.01 * f64::from(k), 1.0 - 0.01 * f64::from(k)]);
+    let stretched = std::iter::once(1.0).chain(other);
     let counts = [count, count + 1, count - 1].into_iter().filter(|&n| n > 0);
     let starts = counts.flat_map(|n| {
         let even = length * count as f64 / n as f64;

@@ -56,8 +56,8 @@ impl Footfall {
     pub const SMOOTH: Self = Self { softness: 0.4 * DEGREE, soft_landing: Some(0.03), ..Self::RECIPE };
 
     /// On ground that is not level, whose changes of the style were fitted with the recipe's footfall. A leg comes down there otherwise than in a steady stride, and a
-    /// foot that was stopped within less pitch pressed up to 18 mm beside itself for some milliseconds in 16 of 284 walks; in this way it does so in 4, and all that
-    /// were walked are.
+    /// foot that was stopped at once pressed up to 18 mm beside itself for some milliseconds, in 16 of 284 random walks; with this softness one does so in 4 of as
+    /// many, which the check finds.
     pub const ON_GROUND: Self = Self { softness: 2.0 * DEGREE, ..Self::RECIPE };
 
     /// Of people: plates see a foot from 20 N on; the pressure begins a little outside of the heel's middle, goes outward under the

@@ -3,7 +3,7 @@
 use crate::body::{Body, LegGeometry};
 use crate::error::{GaitError, PlanError};
 use crate::request::pace::{Pace, STEP_FREQUENCY};
-use crate::request::{Extent, WalkGround, WalkRequest};
+use crate::request::{Extent, STEPS, WalkGround, WalkRequest};
 use crate::smooth::distance::to_distance;
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINE_RATE, FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
@@ -18,6 +18,9 @@ use solaris_model::Figure;
 const OTHER_STEPS: [f64; 8] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85, 1.08, 1.13];
 /// The same on slopes, where slow walks need longer ones.
 const OTHER_STEPS_ON_SLOPES: [f64; 7] = [1.05, 1.10, 1.15, 0.96, 0.92, 1.20, 0.88];
+
+/// The longest that are tried, over the usual ones.
+const LONGEST_OTHER: f64 = 1.25;
 
 /// How many of [`OTHER_STEPS_ON_SLOPES`] are tried in another style, too.
 const OTHER_STEPS_VARIED: usize = 4;
@@ -71,7 +74,8 @@ fn with_other_steps(
         };
         let quicker = if keeps_speed { step_length / length } else { 1.0 };
         let pace = Pace { step_frequency: step_frequency * quicker, step_length: length };
-        frequencies.contains(&pace.step_frequency).then_some((pace, steps))
+        let fits = steps.is_none_or(|n| n <= STEPS.1) && length <= LONGEST_OTHER * step_length;
+        (fits && frequencies.contains(&pace.step_frequency)).then_some((pace, steps))
     };
     // As many steps to a distance are the same ones.
     let mut lengths = if otherwise { Vec::new() } else { vec![step_length] };

@@ -18,8 +18,9 @@ const ALONE: [f64; 4] = [0.32, 0.29, 0.35, 0.26];
 const STOPS_BEFORE: f64 = 0.1;
 /// By how much the level steps between may be shorter and longer than they would be.
 const FITTED: (f64, f64) = (0.72, 1.15);
-/// What counts as even beside an edge (m), and the steepest ground there (rad): pavements and roads fall to their gutters by as much.
-const LEVEL: f64 = 2e-3;
+/// What counts as even beside an edge, and as no edge (m).
+const EVEN: f64 = 2e-3;
+/// The steepest ground beside an edge (rad): pavements and roads fall to their gutters by as much.
 const STEEPEST_BESIDE: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// What numbers of a file may miss by rounding (m).
 const ROUNDING: f64 = 1e-9;
@@ -38,7 +39,7 @@ fn edges(relief: &Relief, alone: f64) -> Option<Vec<Edge>> {
     let is_narrow = |from: f64, to: f64| to - from <= WIDEST + ROUNDING;
     for pair in relief.points().windows(2) {
         let ([from, below], [to, above]) = (pair[0], pair[1]);
-        if to <= 0.0 || !is_narrow(from, to) || (above - below).abs() <= LEVEL {
+        if to <= 0.0 || !is_narrow(from, to) || (above - below).abs() <= EVEN {
             continue;
         }
         match found.last_mut() {
@@ -102,7 +103,7 @@ impl<'a> Places<'a> {
         Some(places)
     }
 
-    /// Height and pitch of the prints: beside an edge what the sole stands on is level, elsewhere it is as everywhere.
+    /// Height and pitch of the prints: beside an edge what the sole stands on is even and leans by [`STEEPEST_BESIDE`] at most, elsewhere it is as everywhere.
     fn prints(&self, relief: &Relief, sole: f64) -> Option<Vec<(f64, f64)>> {
         let print = |(k, z): (usize, &f64)| {
             let into = k.checked_sub(1).and_then(|k| self.over[k]);
@@ -119,7 +120,7 @@ impl<'a> Places<'a> {
             let (begins, ends) = (relief.height(from), relief.height(to));
             let slope = (ends - begins) / (to - from);
             let line = |at: f64| begins + (at - from) * slope;
-            let is_even = |[at, height]: &[f64; 2]| (height - line(*at)).abs() <= LEVEL;
+            let is_even = |[at, height]: &[f64; 2]| (height - line(*at)).abs() <= EVEN;
             let mut inside = relief.points().iter().filter(|point| (from..=to).contains(&point[0]));
             (slope.atan().abs() <= STEEPEST_BESIDE && inside.all(is_even)).then(|| (line(*z), slope.atan()))
         };

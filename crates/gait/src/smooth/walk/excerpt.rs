@@ -1,7 +1,7 @@
 //! Parts of a walk, from the time 0 on.
 
 use super::plan::WalkPlan;
-use crate::walking::{Walking, sampled};
+use crate::walking::{Walking, balanced};
 use solaris_analysis::{ReactionError, Support, SupportLaw};
 use solaris_model::{Event, Figure, Interval, Motion, Trajectory};
 
@@ -17,9 +17,9 @@ impl<'a> Excerpt<'a> {
         Self { walk, from, to }
     }
 
-    /// Its samples, as [`WalkPlan::motion`] has them.
-    pub(crate) fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
-        let mut motion = sampled(figure, self, self.walk.body.fingerprint, rate)?;
+    /// Its samples, as [`WalkPlan::motion`] has them, without its events and planted points.
+    pub(crate) fn samples(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
+        let mut motion = balanced(figure, self, self.walk.body.fingerprint, rate)?;
         motion.relief = self.walk.relief().cloned();
         Ok(motion)
     }

@@ -289,6 +289,14 @@ fn fit_last(relief: &Relief, length: f64, places: &mut Vec<(f64, Foothold)>) -> 
     false
 }
 
+/// The points of a relief between two places along z, without those at them.
+fn points_between(relief: &Relief, from: f64, to: f64) -> &[[f64; 2]] {
+    let points = relief.points();
+    let [first, end] =
+        [points.partition_point(|point| point[0] <= from), points.partition_point(|point| point[0] < to)];
+    points.get(first..end).unwrap_or_default()
+}
+
 /// A place for a foot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foothold {
@@ -315,9 +323,8 @@ impl Foothold {
         }
         let reach = length * tilt.cos();
         let line = |at: f64| heel + (at.clamp(z, z + reach) - z) * tilt.tan();
-        let inside =
-            relief.points().iter().filter(|point| point[0] > z - EDGE && point[0] < z + length + EDGE);
-        let (above, below) = inside.fold((0.0_f64, 0.0_f64), |(above, below), [at, height]| {
+        let inside = points_between(relief, z - EDGE, z + length + EDGE);
+        let (above, below) = inside.iter().fold((0.0_f64, 0.0_f64), |(above, below), [at, height]| {
             let gap = height - line(*at);
             (above.max(gap), below.max(-gap))
         });
@@ -328,9 +335,10 @@ impl Foothold {
         let (near, times, least, far) = FROM_RISER;
         let passed = |&[at, height]: &[f64; 2]| {
             let above = height - heel - (at - z) * tilt.tan();
-            at > z - far && at < z - EDGE && above > least && z - at < near + times * above
+            above > least && z - at < near + times * above
         };
-        let blocked = falls || ends.iter().any(stands) || relief.points().iter().any(passed);
+        let behind = points_between(relief, z - far, z - EDGE);
+        let blocked = falls || ends.iter().any(stands) || behind.iter().any(passed);
         Self { height: heel, tilt, above, below, blocked }
     }
 
