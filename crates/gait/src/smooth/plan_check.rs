@@ -23,7 +23,7 @@ const NOT_STRAIGHT: f64 = 0.2 * DEGREE;
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = DEGREE;
 /// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
-/// are given or the ground is not level.
+/// are given or the ground is not level, or for a moment around a landing.
 const OUTSIDE: (f64, f64) = (1e-3, 5e-3);
 /// What a person presses with at most over the weight where the ground is not level: people on steep stairs do (A. Stacoff et al., *Gait & Posture*
 /// 21 (2005) 24–38); and how far the force may be from the prescribed one, over the weight.
@@ -177,7 +177,8 @@ impl PlanCheck<'_> {
             (false, false) => RATE,
         };
         let rate = rate.max(self.least_rate);
-        self.check_excerpt(plan, (0.0, plan.duration()), rate)?;
+        let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
+        self.check_excerpt(plan, (0.0, plan.duration()), rate, edge)?;
         let finely = if self.route.is_level() { FINER_RATE } else { FINEST_RATE };
         if rate >= finely {
             return Ok(());
@@ -185,13 +186,20 @@ impl PlanCheck<'_> {
         // Of each step, and of the closing foot.
         for step in 1..=plan.steps() + 1 {
             let lands = 0.5 * step as f64;
-            self.check_excerpt(plan, LANDING.map(|clock| plan.time(lands + clock)).into(), finely)?;
+            let span = LANDING.map(|clock| plan.time(lands + clock));
+            self.check_excerpt(plan, span.into(), finely, OUTSIDE.1)?;
         }
         Ok(())
     }
 
-    /// The same from a time to a later one (s).
-    fn check_excerpt(&self, plan: &WalkPlan, (from, to): (f64, f64), rate: f64) -> Result<(), GaitError> {
+    /// The same from a time to a later one (s), with pressure that far outside of a foot at most (m).
+    fn check_excerpt(
+        &self,
+        plan: &WalkPlan,
+        (from, to): (f64, f64),
+        rate: f64,
+        edge: f64,
+    ) -> Result<(), GaitError> {
         let excerpt = Excerpt::new(plan, from, to);
         let mut motion = excerpt.samples(self.figure, rate)?;
         let clock_at = |time: f64| plan.clock_at(from + time);
@@ -222,7 +230,6 @@ impl PlanCheck<'_> {
             fails(beside.is_nan() || beside > BESIDE, peak, what)?;
         }
         let outside = found.cop_outside;
-        let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
         let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
         fails(outside.value.is_nan() || outside.value > edge, outside, beside)?;
         // Where the ground leans, that of both feet together was judged by the forces that are prescribed.
