@@ -5,11 +5,13 @@ use crate::request::WalkGround;
 use crate::request::pace::{Pace, STEP_LENGTH_MARGIN};
 use crate::smooth::ends::eased;
 use crate::smooth::walk::{Terrain, steps};
+use std::ops::RangeInclusive;
 
 /// How often the steps over a relief are fitted to where they lead.
 const SETTLES: usize = 20;
-/// How many secants are drawn after that.
+/// How many secants are drawn after that, and how far from where they begin steps may come, over their length there.
 const SECANTS: usize = 6;
+const FROM_START: RangeInclusive<f64> = 0.5..=1.5;
 /// From how many per cent longer and shorter steps on that is tried at most.
 const MOST_STARTS: u32 = 12;
 /// What counts as there, of the distance.
@@ -67,11 +69,10 @@ fn over_relief(
         // Where steps before an edge stay as long as they are that comes near to it slowly: on by secants.
         let (mut other, mut other_off) = (from, total(n, from)? - distance);
         for _ in 0..SECANTS {
-            let slope = (off - other_off) / (length - other);
-            if off.abs() < THERE * distance || slope.is_nan() || slope <= 0.0 {
+            let next = length - off * (length - other) / (off - other_off);
+            if off.abs() < THERE * distance || !FROM_START.contains(&(next / from)) {
                 break;
             }
-            let next = length - off / slope;
             (other, other_off) = (length, off);
             (length, off) = (next, total(n, next)? - distance);
         }
