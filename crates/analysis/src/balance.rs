@@ -18,7 +18,7 @@ use solaris_model::{AxisKind, DifferenceStep, Figure, Motion, Trajectory};
 #[doc(alias = "residual reduction")]
 pub fn balance_momentum(
     figure: &Figure,
-    trajectory: &impl Trajectory,
+    trajectory: &(impl Trajectory + ?Sized),
     motion: &mut Motion,
 ) -> Result<f64, ReactionError> {
     motion.check_figure(figure)?;

@@ -126,6 +126,17 @@ pub fn ground_reactions_under(
     law: &impl SupportLaw,
     acting: &[Vec<(usize, Wrench<f64>)>],
 ) -> Result<ReactionReport, ReactionError> {
+    reactions_under(figure, motion, feet, law, acting)
+}
+
+/// The same, compiled once for all laws.
+fn reactions_under(
+    figure: &Figure,
+    motion: &mut Motion,
+    feet: [&str; 2],
+    law: &dyn SupportLaw,
+    acting: &[Vec<(usize, Wrench<f64>)>],
+) -> Result<ReactionReport, ReactionError> {
     let prepared = PreparedMotion::new(figure, motion)?;
     if prepared.up.norm_squared() == 0.0 {
         return Err(ReactionError::NoGravity);
@@ -191,17 +202,17 @@ fn others<'m>(figure: &Figure, motion: &'m Motion, feet: &[Foot; 2]) -> Vec<(usi
 }
 
 /// What all frames share.
-struct Scene<'a, L> {
+struct Scene<'a> {
     prepared: &'a PreparedMotion<'a>,
     feet: &'a [Foot; 2],
     /// Links with contacts that are known.
     others: &'a [(usize, &'a ContactTrack)],
     /// What acts on links besides, frame by frame.
     acting: &'a [Vec<(usize, Wrench<f64>)>],
-    law: &'a L,
+    law: &'a dyn SupportLaw,
 }
 
-impl<L: SupportLaw> Scene<'_, L> {
+impl Scene<'_> {
     fn frame(&self, workspace: &mut Workspace<f64>, row: usize) -> Result<Frame, ReactionError> {
         let PreparedMotion { tree, up, .. } = self.prepared;
         let (q, v, a) = (self.prepared.q(row), self.prepared.v(row), self.prepared.a(row));

@@ -45,10 +45,10 @@ pub(crate) fn sampled(
     Ok(motion)
 }
 
-/// The samples alone.
+/// The samples alone, compiled once for all walks.
 pub(crate) fn balanced(
     figure: &Figure,
-    walk: &impl Trajectory,
+    walk: &dyn Trajectory,
     fingerprint: u64,
     rate: f64,
 ) -> Result<Motion, ReactionError> {

@@ -218,7 +218,7 @@ impl Motion {
     #[doc(alias = "bake")]
     pub fn sample(
         figure: &Figure,
-        trajectory: &impl Trajectory,
+        trajectory: &(impl Trajectory + ?Sized),
         info: MotionInfo,
     ) -> Result<Self, MotionError> {
         info.check_figure(figure)?;
