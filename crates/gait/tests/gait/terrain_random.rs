@@ -12,6 +12,15 @@ const LEAST: usize = 98;
 struct Chance(u64);
 
 impl Chance {
+    /// Of a number and where it counts from; the first draws of neighbours are alike.
+    fn of(number: u32, from: u64) -> Self {
+        let mut chance = Self(u64::from(number) + from);
+        for _ in 0..4 {
+            chance.between(0.0, 1.0);
+        }
+        chance
+    }
+
     /// Between two numbers.
     fn between(&mut self, from: f64, to: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -21,10 +30,7 @@ impl Chance {
 
 /// From 1.2 m on slopes of up to 9°, kerbs of 2 to 8 cm and flats, one after the other.
 fn profile(number: u32) -> Relief {
-    let mut chance = Chance(u64::from(number) + 1);
-    for _ in 0..4 {
-        chance.between(0.0, 1.0);
-    }
+    let mut chance = Chance::of(number, 1);
     let (mut z, mut height) = (1.2 + chance.between(0.0, 0.6), 0.0);
     let mut points = vec![[z, height]];
     while z < 8.0 {
@@ -70,10 +76,7 @@ fn ground_by_chance_is_walked_over_or_refused_by_what_is_wrong() {
 
 /// A kerb, a pavement that is left again, two kerbs in a row, or a flight of two to five uneven stairs: edges of 5 to 20 cm, up or down.
 fn edges(number: u32) -> Relief {
-    let mut chance = Chance(u64::from(number) + 901);
-    for _ in 0..4 {
-        chance.between(0.0, 1.0);
-    }
+    let mut chance = Chance::of(number, 901);
     let up = if chance.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
     let (mut z, mut height) = (chance.between(1.0, 4.0), up * chance.between(0.06, 0.19));
     let first = height;
@@ -101,10 +104,7 @@ fn edges(number: u32) -> Relief {
 fn kerbs_pavements_and_flights_are_climbed_by_anybody_at_any_pace() {
     let mut walked = 0;
     for number in 0..PROFILES {
-        let mut chance = Chance(u64::from(number) + 77);
-        for _ in 0..4 {
-            chance.between(0.0, 1.0);
-        }
+        let mut chance = Chance::of(number, 77);
         let height = chance.between(1.5, 1.95);
         let person = human(height, 23.8 * height * height).expect("a person");
         let ask = WalkRequest {
@@ -128,10 +128,7 @@ fn kerbs_pavements_and_flights_are_climbed_by_anybody_at_any_pace() {
 fn kerbs_between_ground_that_falls_are_climbed() {
     let (all, mut walked) = (40_u32, 0);
     for number in 0..all {
-        let mut chance = Chance(u64::from(number) + 1301);
-        for _ in 0..4 {
-            chance.between(0.0, 1.0);
-        }
+        let mut chance = Chance::of(number, 1301);
         let mut slope = || chance.between(-3.0, 3.0).to_radians().tan();
         let (before, after) = (slope(), slope());
         let at = chance.between(1.6, 4.0);
