@@ -141,7 +141,8 @@ impl Report {
         let mut notes: Vec<String> = overlaps.chain(notes(&plan, &measures, lone, weight, repeats)).collect();
         if let Some((part, why)) = in_part {
             notes.push(format!(
-                "{part} of the manner and of the variability is walked, for all of it would not hold: {why}"
+                "{:.0} % of the manner and of the variability are walked, for all of them would not hold: {why}",
+                100.0 * part
             ));
         }
         if (step_frequency - asked_frequency).abs() > 1e-6 * asked_frequency {

@@ -163,6 +163,9 @@ pub(crate) fn range(
     if (lower..=upper).contains(&value) {
         Ok(())
     } else {
+        // What a manner makes of a number has a dozen digits more; one just beyond the range keeps them.
+        let short = tidy(value);
+        let value = if short.is_finite() && !(lower..=upper).contains(&short) { short } else { value };
         Err(RequestError::Range { parameter, value, unit, lower, upper, why: why() })
     }
 }
