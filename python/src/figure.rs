@@ -74,9 +74,9 @@ impl Figure {
 /// >>> round(solaris.human(1.65, 58.0, load={"right": 6.0}).mass, 9)
 /// 64.0
 ///
-/// `shorter_leg` is by how much a leg is shorter (m): `{"left": 0.02}`.
+/// `shorter_leg` is by how much a leg is shorter (m): `{"left": 0.02}`. `cane`, `"left"` or `"right"`, is the hand that holds a cane.
 #[pyfunction]
-#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false, load=None, shorter_leg=None))]
+#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false, load=None, shorter_leg=None, cane=None))]
 pub(crate) fn human(
     height: f64,
     mass: Option<f64>,
@@ -84,6 +84,7 @@ pub(crate) fn human(
     heading_first: bool,
     load: Option<BTreeMap<String, f64>>,
     shorter_leg: Option<BTreeMap<String, f64>>,
+    cane: Option<String>,
 ) -> PyResult<Figure> {
     let mass = mass.unwrap_or(BODY_MASS_INDEX * height * height);
     let root = if heading_first { RootOrder::Yzx } else { RootOrder::Zyx };
@@ -91,6 +92,7 @@ pub(crate) fn human(
     let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
     let human = load.into_iter().flatten().fold(human, |human, (hand, load)| human.load(hand, load));
     let human = shorter_leg.into_iter().flatten().fold(human, |human, (leg, by)| human.shorter_leg(leg, by));
+    let human = cane.map_or_else(|| human.clone(), |hand| human.clone().cane(hand));
     let figure = human.build().map_err(errors::human)?;
     Ok(Figure::own(figure))
 }

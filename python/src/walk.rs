@@ -42,7 +42,7 @@ pub(crate) struct Walk {
 ///
 /// In which manner: `population` (`"adult"`, `"treadmill"`, `"child"`, `"older"`), `manner` (such as `"sad:0.6,heavy:0.3"`), `left` and
 /// `right` (manners of one side), `variability` (over people's, with a `seed`), and `style`, numbers by name
-/// (`solaris.style_parameters()` lists them). With `determinants` (3 or 5) it is a walk through the thesis's key postures.
+/// (`solaris.style_parameters()` lists them); `cane_load` is the part of the weight that the cane of a figure with one bears at most. With `determinants` (3 or 5) it is a walk through the thesis's key postures.
 ///
 /// `loop` makes one stride that repeats itself, `"moving"` or `"in_place"`. `rate` is in samples a second (120): where it is
 /// given, the step frequency of a loop is fitted to whole frames.
@@ -57,7 +57,7 @@ pub(crate) struct Walk {
     figure=None, *, height=1.75, mass=None, age=None, step_frequency=None, step_length=None, speed=None, steps=None,
     distance=None, turn=0.0, backward=false, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
     population=None, manner=None, left=None, right=None, variability=None, seed=0, style=None, left_first=None,
-    determinants=None, r#loop=None, rate=None
+    cane_load=None, determinants=None, r#loop=None, rate=None
 ))]
 pub(crate) fn walk(
     py: Python<'_>,
@@ -86,6 +86,7 @@ pub(crate) fn walk(
     seed: i128,
     style: Option<BTreeMap<String, f64>>,
     left_first: Option<bool>,
+    cane_load: Option<f64>,
     determinants: Option<i64>,
     r#loop: Option<&str>,
     rate: Option<f64>,
@@ -115,6 +116,7 @@ pub(crate) fn walk(
         })?,
         style: style.unwrap_or_default(),
         left_first,
+        cane_load,
         repeats: looped(r#loop)?,
         rate,
         ..GaitOptions::default()

@@ -17,7 +17,7 @@ pub(crate) fn run(command: &FigureCommand) -> Result<(), CliError> {
 }
 
 fn human(args: &HumanArgs) -> Result<(), CliError> {
-    let HumanArgs { size, age, loads, shorter, heading_first, output } = args;
+    let HumanArgs { size, age, loads, shorter, cane, heading_first, output } = args;
     let outputs = Outputs::new([("-o", output, TEXT)])?;
     let height = size.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = size.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
@@ -33,6 +33,10 @@ fn human(args: &HumanArgs) -> Result<(), CliError> {
         .fold(person, |human, (name, length)| human.segment_length(name.clone(), *length));
     let human = loads.iter().fold(human, |human, (side, load)| human.load(side.clone(), *load));
     let human = shorter.iter().fold(human, |human, (leg, by)| human.shorter_leg(leg.clone(), *by));
+    let human = match cane {
+        Some(hand) => human.cane(hand.name()),
+        None => human,
+    };
     let figure = human.build().map_err(|error| CliError::of_human(error, args))?;
     let text = text::write(&figure);
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;

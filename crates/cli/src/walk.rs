@@ -36,7 +36,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion, &[])?;
     let carried = args.who.person.loads.iter().map(|(_, load)| load).sum();
-    let report = Report::new((figure.mass(), carried), planned, &motion, measures, &lone, limbs);
+    let report = Report::new((&figure, carried), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     let shown = Shown {
         name: "walk",
@@ -90,5 +90,9 @@ fn person_with(person: &PersonArgs, root: RootOrder) -> Result<Figure, CliError>
     };
     let human = person.loads.iter().fold(human, |human, (side, load)| human.load(side.clone(), *load));
     let human = person.shorter.iter().fold(human, |human, (leg, by)| human.shorter_leg(leg.clone(), *by));
+    let human = match person.cane {
+        Some(hand) => human.cane(hand.name()),
+        None => human,
+    };
     human.build().map_err(|error| CliError::of_human(error, person))
 }

@@ -47,7 +47,7 @@ pub use asked::{
     DEFAULT_RATE, Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, RunEndOptions, RunWalkOptions,
     Staged, StairOptions, stages,
 };
-pub use body::{FEET, LegGeometry, missing_for_walking};
+pub use body::{CANE, FEET, LegGeometry, helped_side, missing_for_walking};
 pub use chair::{ChairPlan, chair};
 pub use comparison::PostureComparison;
 pub use error::{
@@ -61,11 +61,11 @@ pub use measure::{
     measure_stride, run_bands,
 };
 pub use request::{
-    CHAIR_TIMES, CHANGING_RUN_STEPS, CHANGING_STEPS, ChairMotion, ChairRequest, Change, DEFAULT_RUN_SPEED,
-    DEFAULT_STEP_FREQUENCY, Extent, FOREFOOT_SPEED, Foothold, MOST_VARIABILITY, Population, RUN_SPEED,
-    Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk, SHORTEST_DISTANCE, SOLE_GIVE,
-    STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO,
-    WalkGround, WalkPart, WalkPath, WalkRequest,
+    CANE_LOAD, CANE_LOADS, CHAIR_TIMES, CHANGING_RUN_STEPS, CHANGING_STEPS, ChairMotion, ChairRequest,
+    Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, FOREFOOT_SPEED, Foothold, MOST_VARIABILITY,
+    Population, RUN_SPEED, Resolution, RunEnd, RunPart, RunRequest, RunResolution, RunWalk,
+    SHORTEST_DISTANCE, SOLE_GIVE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL,
+    Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{

@@ -24,4 +24,7 @@ pub use run::{
 pub use sheet::{Change, StyleSheet};
 pub use variability::{MOST_VARIABILITY, Variability};
 pub(crate) use walk::check_turned;
-pub use walk::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart, WalkRequest};
+pub use walk::{
+    CANE_LOAD, CANE_LOADS, CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart,
+    WalkRequest,
+};

@@ -96,6 +96,12 @@ pub enum HumanError {
         /// Of the person (kg).
         mass: f64,
     },
+    /// A cane is in no hand of a person's two.
+    #[error("cane in the '{hand}' hand: a person holds one in the left or in the right one")]
+    Cane {
+        /// In which hand.
+        hand: String,
+    },
     /// A leg is shorter by too much, or none of a person's two.
     #[error(
         "{leg} leg shorter by {by} m: a leg of this person can be shorter by 0 to {most:.3} m, left or right"
@@ -198,6 +204,7 @@ pub struct Human {
     limits: Vec<(String, [f64; 2])>,
     loads: Vec<(String, f64)>,
     shorter: Vec<(String, f64)>,
+    cane: Option<String>,
     joints: Joints,
     root: RootOrder,
 }
@@ -235,6 +242,7 @@ impl Human {
             limits: Vec::new(),
             loads: Vec::new(),
             shorter: Vec::new(),
+            cane: None,
             joints: Joints::Angles,
             root: RootOrder::Zyx,
         }
@@ -342,6 +350,22 @@ impl Human {
         self
     }
 
+    /// Gives the `left` or the `right` hand a cane: a link `cane` more, a rod that turns in the fist to the side and forward. It is fitted as canes
+    /// are, so long that the elbow is bent by 30° as it stands beside somebody who stands straight, and weighs 0.4 kg a metre; the
+    /// person's own mass stays what it is.
+    ///
+    /// ```
+    /// let ann = solaris_model::Human::new(1.65, 58.0).cane("right").build()?;
+    /// let cane = ann.link("cane").unwrap();
+    /// assert!((0.75..0.85).contains(&-cane.tip().unwrap().y));
+    /// assert_eq!((ann.links().len(), ann.layout().nv()), (22, 68));
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn cane(mut self, hand: impl Into<String>) -> Self {
+        self.cane = Some(hand.into());
+        self
+    }
+
     /// Makes the `left` or the `right` leg shorter by so much (m): thigh and shank by the same part of their lengths. Masses stay what they are.
     ///
     /// ```
@@ -382,6 +406,12 @@ impl Human {
                 return Err(HumanError::Load { hand: hand.clone(), load: in_all, mass });
             }
         }
+        let cane = match self.cane.as_deref() {
+            None => None,
+            Some("left") => Some("left_"),
+            Some("right") => Some("right_"),
+            Some(hand) => return Err(HumanError::Cane { hand: hand.to_owned() }),
+        };
         let mut factors: Vec<(String, f64)> = Vec::new();
         for (name, length) in &self.lengths {
             factors.push((name.clone(), self.factor(name, *length, &child)?));
@@ -403,6 +433,7 @@ impl Human {
                 let of = |(hand, _): &&(String, f64)| side.trim_end_matches('_') == hand;
                 self.loads.iter().filter(of).map(|(_, load)| load).sum()
             },
+            cane,
             limits: &|dof| self.limits.iter().rev().find(|(name, _)| name == dof).map(|(_, limits)| *limits),
         })?;
         match self.limits.iter().find(|(name, _)| !build::has_limits(&figure, name)) {

@@ -29,6 +29,8 @@ export interface HumanOptions {
   load?: { left?: number; right?: number };
   /** By how much a leg is shorter (m). */
   shorterLeg?: { left?: number; right?: number };
+  /** Which hand holds a cane. */
+  cane?: 'left' | 'right';
 }
 ";
 

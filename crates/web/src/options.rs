@@ -42,6 +42,7 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         seed: fields.whole("seed", MOST_SEED)?.unwrap_or_default(),
         style: fields.get("style", named)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
+        cane_load: fields.number("caneLoad")?,
         forefoot: fields.flag("forefoot")?.unwrap_or_default(),
         give: fields.number("give")?,
         from: run_end(&mut fields, ["fromStanding", "fromWalking"])?,
@@ -109,13 +110,18 @@ fn run_walk(at: &str, given: JsValue) -> Result<RunWalkOptions, JsError> {
     Ok(walk)
 }
 
-/// A person with what hands carry and with a shorter leg.
+/// A person with what hands carry and hold, and with a shorter leg.
 pub(crate) fn human_options(human: Human, given: Option<HumanOptions>) -> Result<Human, JsError> {
     let Some(given) = given else { return Ok(human) };
     let mut fields = Fields::new(&given, "")?;
     let loads = fields.get("load", named)?.unwrap_or_default();
     let shorter = fields.get("shorterLeg", named)?.unwrap_or_default();
+    let cane = fields.text("cane")?;
     fields.end()?;
+    let human = match cane {
+        Some(hand) => human.cane(hand),
+        None => human,
+    };
     let human = loads.into_iter().fold(human, |human, (hand, load)| human.load(hand, load));
     Ok(shorter.into_iter().fold(human, |human, (leg, by)| human.shorter_leg(leg, by)))
 }

@@ -446,6 +446,7 @@ def human(
     heading_first: bool = False,
     load: Optional[Mapping[str, float]] = None,
     shorter_leg: Optional[Mapping[str, float]] = None,
+    cane: Optional[Literal["left", "right"]] = None,
 ) -> Figure: ...
 def read_figure(path: _Path, *, files: Optional[_Path] = None) -> Figure: ...
 def read_motion(figure: Figure, path: _Path) -> Motion: ...
@@ -476,6 +477,7 @@ def walk(
     seed: int = 0,
     style: Optional[Mapping[str, float]] = None,
     left_first: Optional[bool] = None,
+    cane_load: Optional[float] = None,
     determinants: Optional[Literal[3, 5]] = None,
     loop: Optional[Literal["moving", "in_place"]] = None,
     rate: Optional[float] = None,

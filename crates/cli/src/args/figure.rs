@@ -3,7 +3,7 @@
 use super::given::FILES;
 use super::value::{count, number};
 use super::walk::{parse_load, parse_shorter};
-use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, wrap};
+use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, Side, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
 use solaris::io::markers::Axes;
@@ -80,6 +80,10 @@ pub(crate) struct HumanArgs {
         "By how much a leg is shorter: left=0.02, thigh and shank by the same part [default: legs alike]"
     ))]
     pub(crate) shorter: Vec<(String, f64)>,
+    #[arg(long, value_name = "SIDE", value_enum, hide_possible_values = true, help = wrap(
+        "A cane in the left or the right hand: a link more [default: none]"
+    ))]
+    pub(crate) cane: Option<Side>,
     #[arg(long, help = wrap(
         "Let the root turn by its heading first (about y, z, x) in place of z, y, x: for walks that turn by more than 75° in all"
     ))]

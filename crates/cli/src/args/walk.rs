@@ -95,7 +95,7 @@ pub(crate) struct MotionFiles {
 /// Who walks.
 #[derive(Debug, Args)]
 pub(crate) struct WhoArgs {
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass", "age", "loads", "shorter"], help = wrap(
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass", "age", "loads", "shorter", "cane"], help = wrap(
         "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]"
     ))]
     pub(crate) figure: Option<PathBuf>,
@@ -127,6 +127,10 @@ pub(crate) struct PersonArgs {
         "By how much a leg is shorter: left=0.02, thigh and shank by the same part; the pelvis hangs down to it [default: legs alike]"
     ))]
     pub(crate) shorter: Vec<(String, f64)>,
+    #[arg(long, value_name = "SIDE", value_enum, hide_possible_values = true, help = wrap(
+        "A cane in the left or the right hand, which helps the other leg: walks over level ground; that foot goes first [default: none]"
+    ))]
+    pub(crate) cane: Option<Side>,
 }
 
 /// A hand and what it carries (kg).
@@ -245,7 +249,7 @@ pub(crate) struct MannerArgs {
         value_name = "SIDE",
         value_enum,
         hide_possible_values = true,
-        help = "Which foot makes the first step [default: right, the inner one into a turn]"
+        help = "Which foot makes the first step [default: right, the inner one into a turn, the one that a cane helps]"
     )]
     pub(crate) first: Option<Side>,
     #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true,
@@ -325,6 +329,15 @@ impl From<DeterminantCount> for Determinants {
 pub(crate) enum Side {
     Left,
     Right,
+}
+
+impl Side {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
 }
 
 /// One stride, and whether it stays on the spot.

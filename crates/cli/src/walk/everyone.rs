@@ -34,7 +34,8 @@ pub(crate) fn dressed(request: WalkRequest, args: &EveryoneArgs) -> Result<WalkR
     };
     let sides = [side("left", &args.left)?, side("right", &args.right)?];
     let population = args.population.map_or_else(Population::default, Population::from);
-    Ok(WalkRequest { population, sheet, sides, variability, ..request })
+    let cane_load = args.cane_load.as_ref().map(|load| load.value);
+    Ok(WalkRequest { population, sheet, sides, cane_load, variability, ..request })
 }
 
 /// A manner in a file of its own.

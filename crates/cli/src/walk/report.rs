@@ -8,10 +8,10 @@ use crate::limbs::overlap_note;
 use serde::Serialize;
 use solaris::analysis::NearestLimbs;
 use solaris::gait::{
-    BandReport, IsolatedPeak, JointPeaks, SteadyRun, SteadyStride, StyledPlan, WALK_RATIO, WalkExtremes,
-    WalkMeasures, WalkPlan, band_reports, run_bands, step_length_on_slope,
+    BandReport, CANE, IsolatedPeak, JointPeaks, SteadyRun, SteadyStride, StyledPlan, WALK_RATIO,
+    WalkExtremes, WalkMeasures, WalkPlan, band_reports, helped_side, run_bands, step_length_on_slope,
 };
-use solaris::model::{Motion, Relief};
+use solaris::model::{Figure, Motion, Relief};
 use std::io::Write;
 
 /// Everything that a walk came to.
@@ -46,6 +46,31 @@ pub(crate) struct Person {
     /// In both hands together.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) carried_kg: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) cane: Option<CaneReport>,
+}
+
+/// The cane in a hand.
+#[derive(Debug, Serialize)]
+pub(crate) struct CaneReport {
+    pub(crate) hand: &'static str,
+    pub(crate) mass_kg: f64,
+    /// The most that it bears, upward, also over the weight.
+    pub(crate) bears_n: f64,
+    pub(crate) bears_over_weight: f64,
+}
+
+impl CaneReport {
+    /// Of a figure that holds one, as it walks.
+    fn of(figure: &Figure, motion: &Motion) -> Option<Self> {
+        let (link, helped) = (figure.link(CANE)?, helped_side(figure)?);
+        let track = motion.contacts.iter().find(|track| track.link == CANE);
+        let bears =
+            track.iter().flat_map(|track| &track.samples).map(|cane| cane.force.y).fold(0.0, f64::max);
+        let weight = figure.mass() * motion.info.gravity.norm();
+        let hand = ["right", "left"][helped];
+        Some(Self { hand, mass_kg: link.mass(), bears_n: bears, bears_over_weight: bears / weight })
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -109,9 +134,9 @@ const KNEE_TOLD: f64 = 3.0;
 const DISTANCE_TOLD: f64 = 0.02;
 
 impl Report {
-    /// Of a person of so much mass, of which hands carry so much (kg).
+    /// Of a person, whose hands carry so much (kg).
     pub(crate) fn new(
-        (mass, carried): (f64, f64),
+        (figure, carried): (&Figure, f64),
         planned: Planned,
         motion: &Motion,
         measures: WalkMeasures,
@@ -133,6 +158,9 @@ impl Report {
             planning,
             solving,
         } = planned;
+        let cane = CaneReport::of(figure, motion);
+        let held = cane.as_ref().map_or(0.0, |cane| cane.mass_kg);
+        let mass = figure.mass();
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));
@@ -180,8 +208,9 @@ impl Report {
             version: env!("CARGO_PKG_VERSION"),
             person: Person {
                 height_m: height,
-                mass_kg: mass - carried,
+                mass_kg: mass - carried - held,
                 carried_kg: Some(carried).filter(|carried| *carried > 0.0),
+                cane,
             },
             walk: Walk {
                 style: plan.style_name(),

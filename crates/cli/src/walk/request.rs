@@ -52,7 +52,8 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     }
     let path = args.changes.path.as_deref().map(path::read).transpose()?;
     let turn = value(args.changes.turn.as_ref()).unwrap_or_default().to_radians();
-    // The inner foot opens a turn.
+    // The inner foot opens a turn, and the one that a cane helps goes with it.
+    let helped = args.who.person.cane.map(|hand| if hand == Side::Left { Side::Right } else { Side::Left });
     let inner = if turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0) {
         Side::Left
     } else {
@@ -70,7 +71,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         turn,
         backward: args.changes.backward,
         path,
-        left_first: args.manner.first.unwrap_or(inner) == Side::Left,
+        left_first: args.manner.first.or(helped).unwrap_or(inner) == Side::Left,
         parameters,
         ..WalkRequest::default()
     };
@@ -245,6 +246,7 @@ impl Typed for WalkArgs {
             "tread" => &self.ground.tread,
             "sway" => &self.manner.sway,
             "variability" => &self.everyone.variability,
+            "cane load" => &self.everyone.cane_load,
             other => return Some(&self.style.0.get(&other.replace(' ', "-"))?.typed),
         };
         number.as_ref().map(|number| number.typed.as_str())

@@ -19,7 +19,11 @@ pub(super) fn title(report: &Report) -> String {
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
     let carries =
         person.carried_kg.map_or_else(String::new, |load| format!(" with {} kg in hand", short(load)));
-    let who = format!("person of {height} m and {mass} kg{carries}");
+    let holds = person
+        .cane
+        .as_ref()
+        .map_or_else(String::new, |cane| format!(" with a cane in the {} hand", cane.hand));
+    let who = format!("person of {height} m and {mass} kg{carries}{holds}");
     let first = if walk.changes { ", at first" } else { "" };
     let back = if walk.backward { " backward" } else { "" };
     if walk.style == "run" {
@@ -128,6 +132,10 @@ fn walk_rows(report: &Report) -> Vec<Row> {
         row("time", fixed(walk.duration_s, 2), "s", frames),
     ];
     rows.extend(double_support_row(&walk.double_supports_percent));
+    rows.extend(report.person.cane.iter().map(|cane| {
+        let part = format!("{:.0} % of the weight", 100.0 * cane.bears_over_weight);
+        row("cane bears at most", fixed(cane.bears_n, 0), "N", part)
+    }));
     rows.extend([
         row(
             "vertical force, peak",

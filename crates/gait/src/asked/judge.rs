@@ -22,7 +22,7 @@ pub(super) struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     pub(super) fn new(figure: &'a Figure) -> Result<Self, GaitError> {
-        missing::check(figure)?;
+        missing::check_for_walk(figure)?;
         Ok(Self { figure, body: Body::of(figure)?, whole: false })
     }
 

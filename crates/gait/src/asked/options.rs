@@ -67,8 +67,10 @@ pub struct GaitOptions {
     pub seed: u64,
     /// Numbers of the style by name ([`crate::PARAMETERS`]), `arm_swing` or `arm-swing`, in their units.
     pub style: BTreeMap<String, f64>,
-    /// Whether the left foot makes the first step; else the right one, or the inner one of a turn.
+    /// Whether the left foot makes the first step; else the right one, the inner one of a turn, or the one that a cane helps.
     pub left_first: Option<bool>,
+    /// The part of the weight that the cane of a figure that holds one bears at most.
+    pub cane_load: Option<f64>,
     /// Whether a run lands on the forefoot.
     pub forefoot: bool,
     /// By how much a runner's soles give in the middle of a stance (m, 0 to 0.015; 0 by default), in full run alone.
@@ -111,6 +113,7 @@ impl Default for GaitOptions {
             seed: 0,
             style: BTreeMap::new(),
             left_first: None,
+            cane_load: None,
             forefoot: false,
             give: None,
             from: RunEndOptions::Running,

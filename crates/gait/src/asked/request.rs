@@ -2,6 +2,7 @@
 
 use super::options::{GaitKind, GaitOptions, PartOptions, RunEndOptions, RunWalkOptions, StairOptions};
 use super::stages::{Next, Staged, stages};
+use crate::body::helped_side;
 use crate::error::{GaitError, RequestError};
 use crate::request::{
     DEFAULT_RUN_SPEED, Extent, Foothold, Population, RunEnd, RunPart, RunRequest, RunWalk, Stairs,
@@ -31,7 +32,7 @@ impl GaitOptions {
         Ok(match (self.gait, self.determinants) {
             (GaitKind::Run, _) => alone(StyledRequest::Run(self.run()?)),
             (GaitKind::Walk, Some(count)) => alone(StyledRequest::Thesis(self.thesis(count, figure)?)),
-            (GaitKind::Walk, None) => self.walk()?,
+            (GaitKind::Walk, None) => self.walk(helped_side(figure).map(|side| side == 0))?,
         })
     }
 
@@ -56,6 +57,7 @@ impl GaitOptions {
             ("left", self.left.is_some()),
             ("right", self.right.is_some()),
             ("variability", self.variability.is_some()),
+            ("cane_load", self.cane_load.is_some()),
         ];
         if (is_run || is_thesis)
             && let Some((option, _)) = of_walks.into_iter().find(|(_, given)| *given)
@@ -170,7 +172,8 @@ impl GaitOptions {
         })
     }
 
-    fn walk(&self) -> Result<Staged, RequestError> {
+    /// A walk of somebody whose left foot, or right one, is helped by a cane.
+    fn walk(&self, left_helped: Option<bool>) -> Result<Staged, RequestError> {
         let open = self.step_frequency.or(self.step_length).or(self.speed).is_none();
         let ground = self.on()?;
         let usual = ground.usual_step_frequency();
@@ -188,7 +191,8 @@ impl GaitOptions {
             backward: self.backward,
             ground,
             path,
-            left_first: self.left_first.unwrap_or(inner),
+            left_first: self.left_first.or(left_helped).unwrap_or(inner),
+            cane_load: self.cane_load,
             parameters: self.numbers(&PARAMETERS.iter().map(|parameter| parameter.name))?,
             population: self.population.as_deref().map_or(Ok(Population::default()), population)?,
             sheet: blend(&self.manner, sheet_of)?,

@@ -1,5 +1,6 @@
 //! The check of a figure for everything that it needs to walk.
 
+use super::cane::{CANE, Cane};
 use super::leg::LegGeometry;
 use super::roles::{ARM, LEG, MIDDLE, PELVIS_ANGLES, SIDED_ANGLES, SIDES};
 use super::segments::segment;
@@ -29,8 +30,17 @@ pub fn missing_for_walking(figure: &Figure) -> Vec<BodyError> {
     faults
 }
 
-/// Refuses a figure that cannot walk: the one thing that is amiss, or [`BodyError::CannotWalk`] with the list.
+/// Refuses a figure that cannot walk: the one thing that is amiss, or [`BodyError::CannotWalk`] with the list; and one that holds a cane.
 pub(crate) fn check(figure: &Figure) -> Result<(), BodyError> {
+    check_for_walk(figure)?;
+    match figure.link(CANE) {
+        Some(_) => Err(BodyError::HoldsCane { figure: figure.name().to_owned() }),
+        None => Ok(()),
+    }
+}
+
+/// The same of one that may hold a cane.
+pub(crate) fn check_for_walk(figure: &Figure) -> Result<(), BodyError> {
     refuse(figure, of_body(figure))
 }
 
@@ -66,7 +76,9 @@ fn of_body(figure: &Figure) -> Vec<BodyError> {
         faults.extend(missing.then_some(BodyError::MissingSolePoint { link, part }));
     }
     let known = MIDDLE.len() + 2 * (ARM.len() + LEG.len());
-    if figure.links().len() > known {
+    let held = usize::from(figure.link(CANE).is_some());
+    faults.extend(Cane::of(figure).err());
+    if figure.links().len() > known + held {
         let (figure, links) = (figure.name().to_owned(), figure.links().len());
         faults.push(BodyError::OtherLinks { figure, links, known });
     }

@@ -64,6 +64,19 @@ impl ArmCarriage {
         rotations::about_z(abduction) * rotations::about_x(shoulder) * rotations::about_y(-inward)
     }
 
+    /// Rotations of clavicle, upper arm, forearm and hand, for that of the thorax and the angles of shoulder and elbow.
+    pub(crate) fn chain(
+        &self,
+        side: usize,
+        thorax: &Matrix3<f64>,
+        [shoulder, elbow]: [f64; 2],
+    ) -> [Matrix3<f64>; 4] {
+        let clavicle = thorax * rotations::about_y(self.girdle(side, shoulder));
+        let upper = clavicle * self.rotation(side, shoulder);
+        let forearm = upper * rotations::about_x(elbow);
+        [clavicle, upper, forearm, forearm * rotations::about_x(self.hand(elbow))]
+    }
+
     /// The same by its three angles.
     fn angles(&self, side: usize, shoulder: f64) -> Euler {
         let [abduction, inward] = self.sided(side);
@@ -84,6 +97,8 @@ pub(crate) struct Posture {
     pub(crate) pelvis: Vector3<f64>,
     pub(crate) trunk: [Euler; 5],
     pub(crate) arms: [[f64; 2]; 2],
+    /// How a cane is turned in the fist, to the side and forward, if a hand holds one (rad).
+    pub(crate) cane: [f64; 2],
     pub(crate) carriage: ArmCarriage,
     pub(crate) legs: [LegPose; 2],
     /// Which way the body faces, and each foot against it (rad, to the left).
@@ -99,6 +114,7 @@ impl Posture {
             pelvis: mirror(&self.pelvis),
             trunk: self.trunk.map(|[z, y, x]| [-z, -y, x]),
             arms: [right_arm, left_arm],
+            cane: [-self.cane[0], self.cane[1]],
             carriage: ArmCarriage { lean: -self.carriage.lean, ..self.carriage },
             legs: [right_leg, left_leg],
             heading: -self.heading,
@@ -110,6 +126,9 @@ impl Posture {
     pub(crate) fn write(&self, body: &Body, plane: &FootPlane, q: &mut [f64]) {
         let root = self.pelvis - body.middle[0].offset;
         q[body.root..body.root + 3].copy_from_slice(root.as_slice());
+        if let Some(cane) = &body.cane {
+            q[cane.segment.q..cane.segment.q + 2].copy_from_slice(&self.cane);
+        }
         let mut set = |segment: &Segment, angles: Euler| q[segment.q..segment.q + 3].copy_from_slice(&angles);
         let rotations = self.trunk.map(rotations::matrix);
         let facing = match body.root_order {

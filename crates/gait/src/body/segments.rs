@@ -1,5 +1,6 @@
 //! The human body as the planner sees it: segments by role, their masses, the momentum of a posture.
 
+use super::cane::Cane;
 use super::foot::{mirror, mirror_rotation};
 use super::leg::LegGeometry;
 use super::roles::{ARM, LEG, MIDDLE, SIDES};
@@ -56,6 +57,8 @@ pub(crate) struct Body {
     pub(crate) middle: [Segment; 5],
     pub(crate) arms: [[Segment; 4]; 2],
     pub(crate) legs: [[Segment; 4]; 2],
+    /// What a hand holds.
+    pub(crate) cane: Option<Cane>,
 }
 
 impl Body {
@@ -84,6 +87,7 @@ impl Body {
             middle,
             arms: [limb(SIDES[0], ARM, "thorax")?, limb(SIDES[1], ARM, "thorax")?],
             legs: [limb(SIDES[0], LEG, "pelvis")?, limb(SIDES[1], LEG, "pelvis")?],
+            cane: Cane::of(figure)?,
         })
     }
 
@@ -96,8 +100,9 @@ impl Body {
             [of(left, right), of(right, left)]
         };
         let (arms, legs) = (swapped(&self.arms), swapped(&self.legs));
-        let [left, right] = self.sides;
-        Self { middle: self.middle.map(Segment::mirrored), arms, legs, sides: [right, left], ..self.clone() }
+        let ([left, right], cane) = (self.sides, self.cane.map(Cane::mirrored));
+        let middle = self.middle.map(Segment::mirrored);
+        Self { middle, arms, legs, cane, sides: [right, left], ..self.clone() }
     }
 
     /// Refuses a body whose legs are not mirror images, for what plans one leg and mirrors it.

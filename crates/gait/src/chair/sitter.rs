@@ -157,7 +157,7 @@ impl Sitter {
             ]
         });
         let (carriage, feet) = (self.carriage, [0.0; 2]);
-        let posture = Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet };
+        let posture = Posture { pelvis, trunk, arms, cane: [0.0; 2], carriage, legs, heading: 0.0, feet };
         posture.write(&self.body, &self.plane, q);
     }
 }

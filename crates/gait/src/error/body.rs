@@ -13,6 +13,14 @@ pub enum BodyError {
         "figure '{figure}' has {links} links; the walker knows what to do with the {known} of the human figure"
     )]
     OtherLinks { figure: String, links: usize, known: usize },
+    #[error(
+        "joint '{joint}': the walker needs a cane that turns about z, then x in the hand, and whose tip is straight below"
+    )]
+    OtherCane { joint: String },
+    #[error(
+        "figure '{figure}' holds a cane: with one only walks over level ground are planned, from standing to standing"
+    )]
+    HoldsCane { figure: String },
     #[error("figure '{figure}' cannot walk; {} things are amiss:{}", .missing.len(), listed(.missing))]
     CannotWalk { figure: String, missing: Vec<BodyError> },
     #[error("link '{link}' hangs on {parent}; the walker needs it on {wanted}")]

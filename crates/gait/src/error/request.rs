@@ -113,6 +113,8 @@ pub enum RequestError {
     DistanceOnTheWay { number: usize, distance: f64 },
     #[error("what comes next as number {number} goes backward, on the way; stand before it")]
     BackwardOnTheWay { number: usize },
+    #[error("cane load: the figure holds no cane; give it one, or leave the load out")]
+    NoCane,
     #[error("a sequence without a walk; give it one, if only of a single step")]
     NoWalk,
 }

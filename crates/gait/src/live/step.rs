@@ -306,6 +306,7 @@ impl Step {
             pelvis,
             trunk: trunk_of(&numbers),
             arms: [[numbers[15], numbers[16]], [numbers[17], numbers[18]]],
+            cane: [0.0; 2],
             carriage: beat.style.manner.carriage(),
             legs,
             heading,

@@ -1,6 +1,7 @@
 //! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
 
 use super::parts::Parts;
+use crate::body::cane::Cane;
 use crate::body::posture::ArmCarriage;
 use crate::body::rotations;
 use crate::body::{Body, Segment};
@@ -22,11 +23,22 @@ impl UpperBody {
         carriage: impl Fn(usize) -> ArmCarriage,
         angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
     ) -> Self {
-        let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
+        Self::holding(body, grid, carriage, angles, |_| [0.0; 2])
+    }
+
+    /// The same with how a cane is turned in the fist, if a hand holds one.
+    pub(crate) fn holding(
+        body: &Body,
+        grid: &Grid,
+        carriage: impl Fn(usize) -> ArmCarriage,
+        angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
+        cane: impl Fn(usize) -> [f64; 2],
+    ) -> Self {
+        let segments = segments(body);
         let postures: Vec<_> = (0..grid.count)
             .map(|i| {
                 let (trunk, arms, heading) = angles(i);
-                let ahead = posture(body, &trunk, &arms, carriage(i));
+                let ahead = posture(body, &trunk, &arms, cane(i), carriage(i));
                 if heading == 0.0 {
                     return ahead;
                 }
@@ -67,18 +79,28 @@ pub(crate) fn beside(
     arms: &[[f64; 2]; 2],
     carriage: ArmCarriage,
 ) -> f64 {
-    let segments = body.middle.iter().chain(body.arms.iter().flatten());
-    segments.zip(posture(body, trunk, arms, carriage)).map(|(segment, (_, com))| segment.mass * com.x).sum()
+    segments(body)
+        .iter()
+        .zip(posture(body, trunk, arms, [0.0; 2], carriage))
+        .map(|(segment, (_, com))| segment.mass * com.x)
+        .sum()
 }
 
-/// Rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin, facing along z.
+/// Trunk, arms, and what a hand holds.
+fn segments(body: &Body) -> Vec<&Segment> {
+    let cane = body.cane.iter().map(|cane| &cane.segment);
+    body.middle.iter().chain(body.arms.iter().flatten()).chain(cane).collect()
+}
+
+/// Rotations of pelvis … head, of both arms and of a cane, and their centres of mass against the pelvis' origin, facing along z.
 fn posture(
     body: &Body,
     trunk: &[rotations::Euler; 5],
     arms: &[[f64; 2]; 2],
+    cane: [f64; 2],
     carriage: ArmCarriage,
-) -> [(Matrix3<f64>, Vector3<f64>); 13] {
-    let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 13];
+) -> [(Matrix3<f64>, Vector3<f64>); 14] {
+    let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 14];
     let rotations = trunk.map(rotations::matrix);
     let mut origin = Vector3::zeros();
     let mut thorax_origin = origin;
@@ -91,17 +113,18 @@ fn posture(
         }
         parts[i] = (*rotation, origin + rotation * segment.com);
     }
-    for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(arms).enumerate() {
-        let clavicle = rotations[2] * rotations::about_y(carriage.girdle(side, *shoulder));
-        let upper = clavicle * carriage.rotation(side, *shoulder);
-        let forearm = upper * rotations::about_x(*elbow);
-        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(carriage.hand(*elbow))];
+    for (side, (arm, angles)) in body.arms.iter().zip(arms).enumerate() {
+        let chain = carriage.chain(side, &rotations[2], *angles);
         let mut origin = thorax_origin + rotations[2] * arm[0].offset;
         for (i, (segment, rotation)) in arm.iter().zip(&chain).enumerate() {
             if i > 0 {
                 origin += chain[i - 1] * segment.offset;
             }
             parts[5 + 4 * side + i] = (*rotation, origin + rotation * segment.com);
+        }
+        if let Some(held) = body.cane.filter(|held| held.side == side) {
+            let rotation = chain[3] * Cane::rotation(cane);
+            parts[13] = (rotation, origin + chain[3] * held.segment.offset + rotation * held.segment.com);
         }
     }
     parts

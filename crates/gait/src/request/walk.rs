@@ -22,6 +22,11 @@ pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Steps of a walk that changes on the way: it is planned whole.
 pub const CHANGING_STEPS: usize = 1000;
 
+/// The part of the weight that a cane bears at most if it is not said.
+pub const CANE_LOAD: f64 = 0.15;
+/// What it may be: people bear 0.1 to 0.2 on a cane, and a quarter if they have to.
+pub const CANE_LOADS: (f64, f64) = (0.0, 0.25);
+
 /// Refuses a turn (rad) before which the angles of the body's root are singular.
 pub(crate) fn check_turned(root: RootOrder, turned: f64) -> Result<(), RequestError> {
     let limit = TURN_IN_ALL;
@@ -99,6 +104,9 @@ pub struct WalkRequest {
     /// What is different of the left and of the right side: the step length and the step frequency of the step that is taken while that
     /// foot stands, the arm swing of its arm, and the rest from the foot's landing to the other's. The mean pace stays as it is asked.
     pub sides: [StyleSheet; 2],
+    /// The part of the weight that a cane bears at most, by a figure that holds one; [`CANE_LOAD`] if it is not said. It helps the foot of the other
+    /// side, which best goes first.
+    pub cane_load: Option<f64>,
     /// How steps differ; `None`: not at all.
     pub variability: Option<Variability>,
     /// How finely to plan.
@@ -142,6 +150,7 @@ impl Default for WalkRequest {
             population: Population::default(),
             sheet: StyleSheet::default(),
             sides: Default::default(),
+            cane_load: None,
             variability: None,
             resolution: Resolution::default(),
         }

@@ -226,7 +226,8 @@ impl Chain {
         let time = time + self.schedule.shown.0;
         let Place { pelvis, upper: Upper { trunk, arms, carriage }, legs } = self.place(time);
         let legs = legs.map(|(_, pose, _)| pose);
-        let posture = Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet: [0.0; 2] };
+        let posture =
+            Posture { pelvis, trunk, arms, cane: [0.0; 2], carriage, legs, heading: 0.0, feet: [0.0; 2] };
         posture.write(&self.body, &self.plane, q);
     }
 

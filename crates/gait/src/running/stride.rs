@@ -243,6 +243,7 @@ impl RunStride {
             pelvis,
             trunk,
             arms,
+            cane: [0.0; 2],
             carriage: trunk::carriage(&self.style),
             legs,
             heading: 0.0,

@@ -22,7 +22,7 @@ const STEEPEST: f64 = 0.5;
 
 /// Whether a body is heavier on one side, or stands on legs of unequal lengths.
 pub(crate) fn is_lopsided(body: &Body) -> bool {
-    is_heavier(body) || legs_differ(body)
+    is_heavier(body) || legs_differ(body) || body.cane.is_some()
 }
 
 /// Whether thighs or shanks are of unequal length.

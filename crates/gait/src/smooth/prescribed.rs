@@ -16,14 +16,38 @@ pub(crate) struct PrescribedNode {
     pub(crate) momentum_rate: Vector3<f64>,
     /// Share and centre of pressure of each foot (left, right).
     pub(crate) feet: [FootSupport; 2],
+    /// The part of the vertical force that a cane bears, its tip and the fist that holds it; the shares are of the rest.
+    pub(crate) cane: Option<CaneNode>,
     /// Horizontal part of the free moments, which act about the ground's normals (N m): zero on level ground.
     pub(crate) tilting: Vector3<f64>,
 }
 
+/// What a cane does at one node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CaneNode {
+    pub(crate) share: f64,
+    pub(crate) tip: Vector3<f64>,
+    pub(crate) fist: Vector3<f64>,
+}
+
+impl CaneNode {
+    /// The ground's force on it where all of the vertical force is so much: along the cane.
+    pub(crate) fn contact(&self, vertical: f64) -> Contact {
+        let Self { share, tip, fist } = self;
+        if *share == 0.0 {
+            return Contact::default();
+        }
+        let along = fist - tip;
+        let force = along * (share * vertical / along.y);
+        Contact { force, moment: tip.cross(&force), cop: *tip }
+    }
+}
+
 impl PrescribedNode {
-    /// Centre of pressure of both feet.
+    /// Centre of pressure of all that stands on the ground.
     fn centre(&self) -> Vector3<f64> {
-        self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share
+        let feet = self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share;
+        self.cane.map_or(feet, |cane| feet.lerp(&cane.tip, cane.share))
     }
 
     /// The floor's whole force, which carries the centre of mass over the centre of pressure `P = Σ sᵢ Pᵢ` and leaves the angular momentum
@@ -54,9 +78,17 @@ impl PrescribedNode {
         Wrench { force, moment: self.com.cross(&force) + self.momentum_rate }
     }
 
-    /// Each foot's part of it: forces that point at `pivot` times the height of the centre of mass.
+    /// What the ground does to a cane.
+    pub(crate) fn leant(&self) -> Contact {
+        self.cane.map_or_else(Contact::default, |cane| cane.contact(self.vertical))
+    }
+
+    /// Each foot's part of the rest: forces that point at `pivot` times the height of the centre of mass.
     pub(crate) fn feet(&self, pivot: f64) -> [Contact; 2] {
-        split_at_pivot(&self.total(pivot), &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
+        let (mut rest, leant) = (self.total(pivot), self.leant());
+        rest.force -= leant.force;
+        rest.moment -= leant.moment;
+        split_at_pivot(&rest, &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
     }
 
     /// What the free moments' horizontal part has to be, for the wrench as it is: `T_y Σ sᵢ hᵢ`, see [`split_at_pivot`].

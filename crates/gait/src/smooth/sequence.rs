@@ -9,7 +9,7 @@ use crate::smooth::walker::walk_from;
 use crate::walking::{Walking, sampled};
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, Support, SupportLaw};
-use solaris_model::{Event, Figure, Interval, Motion, Trajectory};
+use solaris_model::{Contact, Event, Figure, Interval, Motion, Trajectory};
 
 /// The longest that one may stand between walks (s).
 pub const LONGEST_STAND: f64 = 3600.0;
@@ -54,7 +54,7 @@ impl WalkSequence {
     ///
     /// Those of [`crate::walk()`] with the number of the segment, a stand that is no time, and segments without a walk.
     pub fn new(figure: &Figure, segments: &[WalkSegment]) -> Result<Self, GaitError> {
-        missing::check(figure)?;
+        missing::check_for_walk(figure)?;
         let body = Body::of(figure)?;
         Self::with(&body, segments, |before, request| walk_from(figure, &body, before, request))
     }
@@ -176,5 +176,10 @@ impl Walking for WalkSequence {
             }
         }
         all
+    }
+
+    fn leant(&self, t: f64) -> Option<Contact> {
+        let (walk, time) = self.at(t);
+        walk.leant(time)
     }
 }

@@ -122,6 +122,7 @@ impl StridePlan {
                     vertical: laws.vertical[i],
                     momentum_rate: rate[i],
                     feet: laws.feet[i],
+                    cane: None,
                     tilting: tilting[i],
                 })
                 .collect();
@@ -158,7 +159,7 @@ impl StridePlan {
         let (pelvis, legs) = self.place(u);
         let (trunk, arms) = angles(&self.style, u);
         let carriage = self.style.manner.carriage();
-        Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet: [0.0; 2] }.write(
+        Posture { pelvis, trunk, arms, cane: [0.0; 2], carriage, legs, heading: 0.0, feet: [0.0; 2] }.write(
             &self.body,
             &self.stance.plane,
             q,

@@ -1,5 +1,6 @@
 //! A whole walk: its course and tempo, its laws, the passes that solve it, and the plan that comes of them.
 
+mod cane;
 mod check;
 mod course;
 mod edges;

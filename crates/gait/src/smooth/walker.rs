@@ -27,7 +27,7 @@ use std::borrow::Cow;
 #[doc(alias = "locomotion")]
 #[doc(alias = "walk cycle")]
 pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitError> {
-    missing::check(figure)?;
+    missing::check_for_walk(figure)?;
     walk_from(figure, &Body::of(figure)?, None, request)
 }
 

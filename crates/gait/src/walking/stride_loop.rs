@@ -1,6 +1,6 @@
 //! One stride of a walk, exactly as long as it is, to be repeated for ever: what games ask for.
 
-use super::{Prescribing, Walking};
+use super::{Prescribing, Walking, lean};
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
 use solaris_model::{Contact, Figure, Motion, MotionError, MotionInfo, Trajectory};
@@ -126,6 +126,10 @@ impl<W: Walking> StrideLoop<'_, W> {
     pub fn balanced_motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         let mut motion = self.motion(figure, rate)?;
         balance_momentum(figure, self, &mut motion)?;
+        lean(&mut motion, |time| {
+            let (time, advance) = self.fold(time);
+            self.walk.leant(time).map(|contact| ahead(&contact, advance))
+        });
         Ok(motion)
     }
 }

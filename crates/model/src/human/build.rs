@@ -18,6 +18,12 @@ use nalgebra::{Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 /// Where a hand holds a load, below its wrist (m of the table).
 const FIST: f64 = 0.090;
 
+/// A cane: how far the elbow of the hand that it stands in is bent where its length is fitted, as canes are (rad), its mass for
+/// each metre (kg/m), and its radius (m).
+const CANE_ELBOW: f64 = 30.0 * std::f64::consts::PI / 180.0;
+const CANE_MASS: f64 = 0.4;
+const CANE_RADIUS: f64 = 0.009;
+
 /// Factor of the lengths of the table at this height.
 pub(super) fn scale(height: f64) -> f64 {
     height / REFERENCE_HEIGHT
@@ -42,6 +48,8 @@ pub(super) struct Body<'a> {
     pub(super) factor: &'a dyn Fn(&str, &str) -> f64,
     /// What the hand of a side, `left_` or `right_`, carries (kg).
     pub(super) load: &'a dyn Fn(&str) -> f64,
+    /// The side, `left_` or `right_`, whose hand holds a cane.
+    pub(super) cane: Option<&'static str>,
     /// Limits (rad) in place of the table's, by the name of a degree of freedom.
     pub(super) limits: &'a dyn Fn(&str) -> Option<[f64; 2]>,
 }
@@ -67,6 +75,9 @@ pub(super) fn figure(body: &Body<'_>) -> Result<Figure, FigureError> {
     let mut builder = FigureBuilder::new("human").stature(height);
     for ((side, segment), mass) in segments().zip(masses) {
         builder = builder.link(side.link(segment, mass));
+    }
+    if let Some(prefix) = body.cane {
+        builder = builder.link(of(prefix).cane());
     }
     let is_coordinate = |joint: &str| joints == Joints::Angles || !is_quaternion(joint);
     for &(name, joint, axis, left, right) in ANGLES.iter().filter(|(_, joint, ..)| is_coordinate(joint)) {
@@ -174,6 +185,45 @@ impl Side<'_> {
             "head" => link.tip(Vector3::new(0.0, segment.length * own, 0.0)),
             _ => link,
         }
+    }
+
+    /// The cane in its hand: a thin rod that hangs from the fist and turns in it to the side and forward. It is as long as the fist is high over
+    /// the ground where somebody stands straight with the elbow bent by [`CANE_ELBOW`].
+    fn cane(&self) -> LinkSpec {
+        let segment = |name: &str| SEGMENTS.iter().find(|segment| segment.name == name);
+        let sum = |names: &[(&str, f64)]| -> f64 {
+            names.iter().filter_map(|(name, y)| Some(y * self.length(segment(name)?))).sum()
+        };
+        let offset = |name: &str| segment(name).map_or(0.0, |segment| segment.offset[1]);
+        let sole = BALL_HEIGHT - offset("toes");
+        let legs = sum(&[
+            ("pelvis", -offset("thigh")),
+            ("thigh", -offset("shank")),
+            ("shank", -offset("foot")),
+            ("foot", sole),
+        ]);
+        let trunk = sum(&[
+            ("pelvis", offset("abdomen")),
+            ("abdomen", offset("thorax")),
+            ("thorax", offset("clavicle")),
+            ("clavicle", offset("upper_arm")),
+        ]);
+        let upper_arm = sum(&[("upper_arm", -offset("forearm"))]);
+        let below_elbow = sum(&[("forearm", -offset("hand")), ("hand", FIST)]);
+        let length = legs + trunk - upper_arm - below_elbow * CANE_ELBOW.cos();
+        let fist = Vector3::new(0.0, -sum(&[("hand", FIST)]), 0.0);
+        let (mass, tip) = (CANE_MASS * length, Vector3::new(0.0, -length, 0.0));
+        let (along, across) = (0.5 * CANE_RADIUS.powi(2), length.powi(2) / 12.0 + 0.25 * CANE_RADIUS.powi(2));
+        LinkSpec::child("cane", format!("{}hand", self.prefix), Joint::new("cane").at(fist).rz().rx())
+            .mass(mass)
+            .com(tip * 0.5)
+            .inertia(Inertia::Tensor(Matrix3::from_diagonal(&(Vector3::new(across, along, across) * mass))))
+            .shape(Shape {
+                kind: ShapeKind::Capsule { radius: CANE_RADIUS, length },
+                placement: Isometry3::translation(0.0, -0.5 * length, 0.0),
+            })
+            .sole(SolePart::ToeTip, tip)
+            .tip(tip)
     }
 
     /// The joint, at the table's offset times the parent's scale; limits mirrored on the right.

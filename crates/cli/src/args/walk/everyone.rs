@@ -2,7 +2,9 @@
 
 use crate::args::wrap;
 use clap::{Args, ValueEnum};
-use solaris::gait::{MANNERS, MOST_VARIABILITY, Population, SIDE_MANNERS, ShippedManner};
+use solaris::gait::{
+    CANE_LOAD, CANE_LOADS, MANNERS, MOST_VARIABILITY, Population, SIDE_MANNERS, ShippedManner,
+};
 use std::path::PathBuf;
 
 /// Whose walk it is, in which manner, and how even.
@@ -31,6 +33,10 @@ pub(crate) struct EveryoneArgs {
         "What is different of the right leg and arm [default: nothing]"
     ))]
     pub(crate) right: Option<String>,
+    #[arg(long, value_name = "PART", allow_hyphen_values = true, help = wrap(&format!(
+        "Of somebody with a cane: the part of the weight that it bears at most, {} to {} [default: {CANE_LOAD}]", CANE_LOADS.0, CANE_LOADS.1
+    )))]
+    pub(crate) cane_load: Option<super::Number>,
     #[arg(
         long, value_name = "TIMES",
         num_args = 0..=1, default_missing_value = "1",
@@ -89,6 +95,8 @@ impl EveryoneArgs {
         let seed = || Some(("seed", self.seed?.to_string()));
         let left = || Some(("left", self.left.clone()?));
         let right = || Some(("right", self.right.clone()?));
+        let cane = || Some(("cane-load", self.cane_load.as_ref()?.typed.clone()));
+        let who = who.or_else(cane);
         who.or_else(manner).or_else(file).or_else(left).or_else(right).or_else(even).or_else(seed)
     }
 }

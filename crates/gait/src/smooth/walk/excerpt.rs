@@ -1,9 +1,9 @@
 //! Parts of a walk, from the time 0 on.
 
 use super::plan::WalkPlan;
-use crate::walking::{Walking, balanced};
+use crate::walking::{Walking, balanced, lean};
 use solaris_analysis::{ReactionError, Support, SupportLaw};
-use solaris_model::{Event, Figure, Interval, Motion, Trajectory};
+use solaris_model::{Contact, Event, Figure, Interval, Motion, Trajectory};
 
 /// A walk from a time to a later one; it goes on before and after.
 pub(crate) struct Excerpt<'a> {
@@ -21,6 +21,7 @@ impl<'a> Excerpt<'a> {
     pub(crate) fn samples(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         let mut motion = balanced(figure, self, self.walk.body.fingerprint, rate)?;
         motion.relief = self.walk.relief().cloned();
+        lean(&mut motion, |time| self.leant(time));
         Ok(motion)
     }
 }
@@ -71,5 +72,9 @@ impl Walking for Excerpt<'_> {
         }
         planted.retain(|interval| interval.start < interval.end);
         planted
+    }
+
+    fn leant(&self, t: f64) -> Option<Contact> {
+        self.walk.leant(self.from + t)
     }
 }

@@ -1,5 +1,6 @@
 //! The laws over a whole walk: height, load share and centre of pressure.
 
+use super::cane::CaneWay;
 use super::course::{Course, Episode, Kind, Print, Step};
 use super::gaits::Gaits;
 use super::grounded::Grounded;
@@ -9,6 +10,7 @@ use super::numbers::{
     LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STAIR_EDGES, WalkNumbers,
 };
 use crate::body::Body;
+use crate::body::cane::Held;
 use crate::body::foot::{FootPlane, turned};
 use crate::body::rotations::Euler;
 use crate::error::GaitError;
@@ -39,6 +41,8 @@ pub(crate) struct WalkLaws {
     edges: f64,
     pub(super) gaits: Gaits,
     pub(super) heights: Heights,
+    /// Where a cane goes that a hand holds.
+    pub(super) cane: Option<CaneWay>,
     pub(super) numbers: WalkNumbers,
     pub(super) amplitudes: Amplitudes,
     /// The plane of the left foot on its print.
@@ -72,6 +76,12 @@ impl WalkLaws {
         Ok(Self {
             edges: if stairs { STAIR_EDGES } else { EDGES.0 },
             heights: Heights::new(&course, numbers, first_stride),
+            cane: CaneWay::new(
+                &course,
+                body,
+                [0, steps.len()].map(|k| &gaits.of_contact(k).standing),
+                numbers.cane_load,
+            ),
             course,
             relief: ground.map(|ground| ground.relief.clone()),
             gaits,
@@ -139,6 +149,26 @@ impl WalkLaws {
         trunk[3][1] += 0.5 * ahead;
         trunk[4][1] += ahead;
         (trunk, arms)
+    }
+
+    /// The arm that holds the cane at a clock, for the pelvis there and the angles of the trunk; its fist in the world.
+    pub(super) fn held(
+        &self,
+        body: &Body,
+        u: f64,
+        pelvis: &Vector3<f64>,
+        trunk: &[Euler; 5],
+    ) -> Option<(usize, Held)> {
+        let (cane, way) = (body.cane.as_ref()?, self.cane.as_ref()?);
+        let (heading, carriage) = (self.course.heading(u), self.style(0).manner.carriage());
+        let tip = turned(-heading, &(way.tip(u) - pelvis));
+        let held = cane.hold(body, trunk, &carriage, &tip);
+        Some((cane.side, Held { fist: pelvis + turned(heading, &held.fist), ..held }))
+    }
+
+    /// The part of the whole vertical force that a cane bears, and where its tip is.
+    pub(super) fn leant(&self, u: f64) -> (f64, Vector3<f64>) {
+        self.cane.as_ref().map_or((0.0, Vector3::zeros()), |cane| (cane.share(u), cane.tip(u)))
     }
 
     /// By how much the head is turned to where the body will face a little later (rad).

@@ -12,7 +12,7 @@ use crate::body::leg::LegPose;
 use crate::error::GaitError;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
-use crate::smooth::prescribed::{PrescribedNode, spread};
+use crate::smooth::prescribed::{CaneNode, PrescribedNode, spread};
 use crate::walking::G;
 use nalgebra::Vector3;
 use solaris_profiles::UniformSpline;
@@ -84,14 +84,18 @@ impl Passes {
                     .collect()
             })
             .collect();
-        let shifts: Vec<[f64; 4]> = clocks.iter().map(|&u| laws.shifts(u)).collect();
+        let leant: Vec<(f64, Vector3<f64>)> = clocks.iter().map(|&u| laws.leant(u)).collect();
+        // The feet bear what a cane does not.
+        let shifts: Vec<[f64; 4]> = clocks
+            .iter()
+            .zip(&leant)
+            .map(|(&u, (share, _))| laws.shifts(u).map(|shift| shift * (1.0 - share)))
+            .collect();
         let shift = |shape: usize| shifts.iter().map(|shapes| shapes[shape]).collect();
         let spreads = clocks.iter().map(|&u| (spread(&laws.unshifted(u)), laws.pivot(u)));
         let spread = if laws.relief.is_some() { spreads.collect() } else { Vec::new() };
-        let centre = clocks
-            .iter()
-            .map(|&u| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum())
-            .collect();
+        let feet = |u: f64| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum::<Vector3<f64>>();
+        let centre = clocks.iter().zip(&leant).map(|(&u, (share, tip))| feet(u).lerp(tip, *share)).collect();
         // First guess: the strides' own momentum and offset, faded in and out.
         let guess = |u: f64| {
             let (pace, other) = laws.gaits.at(u);
@@ -138,12 +142,19 @@ impl Passes {
         }
         let Some(Pass { feet, pelvis, rate, vertical }) = last else { unreachable!("at least one pass") };
         let Self { body, laws, timeline, corrections, offset, solved_tilting, .. } = self;
+        let cane = |i: usize| {
+            let u = timeline.clock(i);
+            let (_, held) = laws.held(&body, u, &pelvis[i], &laws.angles(u).0)?;
+            let (share, tip) = laws.leant(u);
+            Some(CaneNode { share, tip, fist: held.fist })
+        };
         let nodes = (0..timeline.grid.count)
             .map(|i| PrescribedNode {
                 com: pelvis[i] + offset[i],
                 vertical: vertical[i],
                 momentum_rate: rate[i],
                 feet: laws.support(timeline.clock(i)),
+                cane: cane(i),
                 tilting: solved_tilting[i],
             })
             .collect();
@@ -155,6 +166,7 @@ impl Passes {
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
+        self.hold_cane(&pelvis);
         let mut needs = Needs::new(self.laws.heights.count());
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
             (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
@@ -194,6 +206,7 @@ impl Passes {
                     vertical: vertical[i],
                     momentum_rate: rate[i],
                     feet: self.laws.support(clock),
+                    cane: None,
                     tilting: self.tilting[i],
                 };
                 let needed = node.needed_tilting(self.laws.pivot(clock));
@@ -204,6 +217,34 @@ impl Passes {
             self.laws.heights.correct(&mut self.corrections, &needs);
         }
         Ok(Pass { feet, pelvis, rate, vertical })
+    }
+
+    /// Has the arm that holds a cane follow the pelvis.
+    fn hold_cane(&mut self, pelvis: &[Vector3<f64>]) {
+        if self.laws.cane.is_none() {
+            return;
+        }
+        let (body, laws, clocks) = (&self.body, &self.laws, self.timeline.clocks());
+        let held: Vec<_> = clocks
+            .iter()
+            .zip(pelvis)
+            .map(|(&u, pelvis)| {
+                let (trunk, mut arms) = laws.angles(u);
+                let held = laws.held(body, u, pelvis, &trunk);
+                let cane = held.map_or([0.0; 2], |(side, held)| {
+                    arms[side] = held.arm;
+                    held.cane
+                });
+                (trunk, arms, cane)
+            })
+            .collect();
+        self.upper = UpperBody::holding(
+            body,
+            &self.timeline.grid,
+            |_| laws.style(0).manner.carriage(),
+            |i| (held[i].0, held[i].1, laws.course.heading(clocks[i])),
+            |i| held[i].2,
+        );
     }
 
     /// How much higher the shifts of the last pass put the centre of pressure at a node, where they go along a slope.

@@ -17,7 +17,7 @@ use crate::body::rotations::{self, Euler};
 use crate::error::{GaitError, RequestError};
 use crate::limbs::stance::Stance;
 use crate::request::{Resolution, check_turned};
-use crate::smooth::prescribed::PrescribedNode;
+use crate::smooth::prescribed::{CaneNode, PrescribedNode};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use crate::walking::StrideLoop;
@@ -394,7 +394,21 @@ impl WalkPlan {
 
     /// Prescribed total force at a clock (N).
     pub fn force(&self, clock: f64) -> Vector3<f64> {
-        self.seen(Vector3::from(self.force.position(self.planned_time(self.repeat.fold(clock).0))))
+        self.seen(self.planned_force(self.repeat.fold(clock).0))
+    }
+
+    fn planned_force(&self, u: f64) -> Vector3<f64> {
+        Vector3::from(self.force.position(self.planned_time(u)))
+    }
+
+    /// What the ground does to the cane at a clock; none without a cane.
+    pub fn cane(&self, clock: f64) -> Option<Contact> {
+        let (u, advance) = self.repeat.fold(self.moving_clock(clock));
+        let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
+        let (_, held) = self.laws.held(&self.body, u, &pelvis, &self.laws.angles(u).0)?;
+        let ((share, tip), advance) = (self.laws.leant(u), Vector3::z() * advance);
+        let [tip, fist] = [tip, held.fist].map(|at| self.seen_point(at + advance));
+        Some(CaneNode { share, tip, fist }.contact(self.planned_force(u).y))
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
@@ -415,15 +429,20 @@ impl WalkPlan {
     /// The posture at a clock.
     pub(crate) fn posture(&self, clock: f64) -> Posture {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
-        let (trunk, arms) = self.laws.angles(u);
+        let (trunk, mut arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
+        let held = self.laws.held(&self.body, u, &pelvis, &trunk);
         let heading = self.laws.course.heading(u);
         let hips = self.hips(&pelvis, trunk[0], heading);
         let legs = self.legs_below(u, &hips);
         let feet = [0, 1].map(|side| self.laws.foot_heading(side, u) - heading);
         let pelvis = pelvis + Vector3::z() * advance;
         let carriage = self.laws.style(0).manner.carriage();
-        let ahead = Posture { pelvis, trunk, arms, carriage, legs, heading, feet };
+        let mut cane = [0.0; 2];
+        if let Some((side, held)) = held {
+            (arms[side], cane) = (held.arm, held.cane);
+        }
+        let ahead = Posture { pelvis, trunk, arms, cane, carriage, legs, heading, feet };
         let seen = if self.left_first { ahead.mirrored() } else { ahead };
         let pelvis = self.from.place + turned(self.from.heading, &seen.pelvis);
         Posture { pelvis, heading: self.from.heading + seen.heading, ..seen }

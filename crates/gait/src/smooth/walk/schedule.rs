@@ -1,12 +1,14 @@
 //! The schedule of the feet: touch-downs, lift-offs, and which points are planted.
 
+use super::cane;
 use super::course::{Episode, Kind};
 use super::plan::WalkPlan;
-use crate::body::FEET;
+use crate::body::{CANE, FEET};
 use crate::smooth::style::Style;
 use crate::walking::{G, Stood, Walking, sampled};
+use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, Support, SupportLaw};
-use solaris_model::{Event, EventKind, Figure, Interval, Motion, Trajectory};
+use solaris_model::{Contact, Event, EventKind, Figure, Interval, Motion, Trajectory};
 
 impl WalkPlan {
     /// The body's weight (N).
@@ -68,6 +70,19 @@ impl WalkPlan {
         events
     }
 
+    /// When the tip of the cane is planted, of a walk forward.
+    fn cane_planted(&self, figure: &Figure) -> Vec<Interval> {
+        let tip = |link: usize| Some((link, *figure.links()[link].tip()?));
+        let (Some(cane), Some((link, point))) = (self.body.cane, figure.link_index(CANE).and_then(tip))
+        else {
+            return Vec::new();
+        };
+        let clock = |u: f64| self.forward_time(u.clamp(self.whole.begin - 1.0, self.whole.end + 1.0));
+        let time = |u: f64| clock(u).clamp(0.0, self.duration());
+        let spans = cane::stands(&self.whole, 1 - cane.side);
+        spans.map(|(from, until)| Interval { link, point, start: time(from), end: time(until) }).collect()
+    }
+
     /// When which point of the soles is planted.
     pub fn planted(&self, figure: &Figure) -> Vec<Interval> {
         let mut planted = Vec::new();
@@ -94,6 +109,7 @@ impl WalkPlan {
                 planted.extend(stood.planted(figure, self.seen_side(side)));
             }
         }
+        planted.extend(self.cane_planted(figure));
         if self.backward {
             for interval in &mut planted {
                 (interval.start, interval.end) = (end - interval.end, end - interval.start);
@@ -108,7 +124,8 @@ impl SupportLaw for WalkPlan {
     fn support(&self, t: f64) -> Support {
         let u = self.clock_at(t);
         let pivot = self.laws.pivot(self.repeat.fold(u).0);
-        Support { feet: self.support(u), pivot, force: Some(self.force(u)) }
+        let leant = self.cane(u).map_or_else(Vector3::zeros, |cane| cane.force);
+        Support { feet: self.support(u), pivot, force: Some(self.force(u) - leant) }
     }
 }
 
@@ -119,5 +136,9 @@ impl Walking for WalkPlan {
 
     fn planted(&self, figure: &Figure) -> Vec<Interval> {
         Self::planted(self, figure)
+    }
+
+    fn leant(&self, t: f64) -> Option<Contact> {
+        self.cane(self.clock_at(t))
     }
 }

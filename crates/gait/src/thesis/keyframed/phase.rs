@@ -168,6 +168,7 @@ impl Phase {
             pelvis: middle - rotation * middle_of_hips,
             trunk: trunk(&rotation, &trunk_between(&self.from.trunk, &self.to.trunk, eased), left_stands),
             arms: self.arms(eased),
+            cane: [0.0; 2],
             carriage: ArmCarriage::WALKING,
             legs,
             heading: 0.0,

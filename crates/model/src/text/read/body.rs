@@ -21,7 +21,8 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let known = ["height", "mass", "age", "segments", "load", "shorter_leg", "joints", "root", "limits"];
+        let known =
+            ["height", "mass", "age", "segments", "load", "shorter_leg", "cane", "joints", "root", "limits"];
         let fields = self.fields(node, &["Human"], &known)?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
@@ -30,6 +31,9 @@ impl FigureReader<'_> {
         let segments = fields.get("segments").map(|node| self.amounts(node, &SEGMENTS)).unwrap_or_default();
         let loads = fields.get("load").map(|node| self.amounts(node, &LOAD)).unwrap_or_default();
         let shorter = fields.get("shorter_leg").map(|node| self.amounts(node, &SHORTER)).unwrap_or_default();
+        let cane = fields
+            .get("cane")
+            .map(|node| (self.name(node, "left or right").map(str::to_owned), node.span.clone()));
         let age_node = fields.get("age");
         let age = age_node.map(|node| self.number(node, "the age"));
         let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
@@ -80,6 +84,16 @@ impl FigureReader<'_> {
                 Err(error @ (HumanError::Load { .. } | HumanError::ShorterLeg { .. })) => {
                     let is_side = ["left", "right"].contains(&named.name.as_str());
                     self.fault(if is_side { named.amount_at } else { named.name_at }, error.to_string());
+                    good = false;
+                }
+                _ => human = with,
+            }
+        }
+        if let Some((hand, at)) = cane {
+            let with = human.clone().cane(hand?);
+            match with.build() {
+                Err(error @ HumanError::Cane { .. }) => {
+                    self.fault(at, error.to_string());
                     good = false;
                 }
                 _ => human = with,
