@@ -373,3 +373,15 @@ def test_people_bear_their_weight_at_every_pace_and_other_paces_are_named():
         assert abs(np.mean((force[1:] + force[:-1]) / 2) - 50.0) < 1.5
     with pytest.raises(ValueError, match="pace is 'brisk'; it must be one of 'very slow', 'slow'"):
         solaris.people_curves("brisk")
+
+
+def test_a_cane_bears_what_it_is_asked_to():
+    figure = solaris.human(1.75, 73.0, cane="right")
+    motion = solaris.walk(figure, step_frequency=85, steps=6, cane_load=0.2).motion
+    assert sorted(motion.contacts) == ["cane", "left_foot", "right_foot"]
+    bears = np.max(motion.contacts["cane"]["force"][:, 1]) / (figure.mass * 9.80665)
+    assert 0.15 < bears < 0.25
+    with pytest.raises(solaris.WalkError, match="holds no cane"):
+        solaris.walk(cane_load=0.2)
+    with pytest.raises(solaris.FigureError, match="'middle' hand"):
+        solaris.human(cane="middle")

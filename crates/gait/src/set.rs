@@ -9,7 +9,7 @@ mod clip;
 
 pub use clip::{ClipKind, Joint, Seam, SetClip};
 
-use crate::body::Body;
+use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::{Extent, WalkPart, WalkRequest};
 use crate::smooth::{Excerpt, WalkPlan};
@@ -99,6 +99,7 @@ pub struct ClipSet {
 ///
 /// Speeds that are none, none that can be walked, a rate that is none, and all that a walk is refused for.
 pub fn clip_set(figure: &Figure, request: &SetRequest) -> Result<ClipSet, GaitError> {
+    missing::check(figure)?;
     if !(request.rate >= 1.0 && request.rate <= 1000.0) {
         return Err(range("rate", request.rate, " frames/s", (1.0, 1000.0)));
     }

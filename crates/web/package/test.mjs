@@ -138,6 +138,10 @@ test("hands carry loads, and legs may differ", () => {
   assert.ok(Math.abs(laden.mass - 63) < 1e-9);
   assert.ok(walk(laden, { steps: 4 }).length > 0);
   assert.ok(Math.abs(lean.Figure.human(1.65, 58, undefined, { load: { left: 2 } }).mass - 60) < 1e-9);
+  const leaning = Figure.human(1.65, 58, undefined, { cane: "left" });
+  const cane = walk(leaning, { stepFrequency: 85, steps: 4, caneLoad: 0.1 }).contact("cane");
+  assert.ok(cane.some((up, i) => i % 9 === 1 && up > 40));
+  assert.throws(() => walk(ann, { caneLoad: 0.1 }), /holds no cane/);
   assert.throws(() => Figure.human(1.65, 58, undefined, { load: { up: 1 } }), /left or right/);
   assert.throws(() => Figure.human(1.65, 58, undefined, { loads: {} }), /there is no 'loads'; did you mean 'load'/);
   assert.throws(() => Figure.human(1.65, 58, undefined, { shorterLeg: { left: "1 cm" } }), /shorterLeg\.left must be a number/);

@@ -79,7 +79,7 @@ impl Figure {
 #[wasm_bindgen]
 impl Figure {
     /// A person of this height (m) and mass (kg), with a child's proportions below 18 years; the root turns by its heading first, as
-    /// `Walker` needs it. `more`: what hands carry (kg), and by how much a leg is shorter (m): `{ load: { right: 5 }, shorterLeg: { left: 0.02 } }`.
+    /// `Walker` needs it. `more`: what hands carry (kg), by how much a leg is shorter (m), and which hand holds a cane: `{ load: { right: 5 }, shorterLeg: { left: 0.02 }, cane: "left" }`.
     pub fn human(
         height: f64,
         mass: f64,

@@ -6,7 +6,7 @@ use crate::measure::{Peak, extremes};
 use crate::request::pace::{Pace, tidy};
 use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
-use crate::smooth::walk::{Excerpt, WalkPlan};
+use crate::smooth::walk::{Excerpt, LegsCheck, WalkPlan};
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, ground_reactions};
 use solaris_model::{Contact, Figure, Motion, Trajectory};
@@ -79,8 +79,14 @@ pub(super) fn not_walkable(pace: Pace, what: String) -> PlanError {
 impl PlanCheck<'_> {
     /// Whether what the plan prescribes holds.
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
+        let legs = plan.legs();
+        let (apart, clock) = legs.cane;
+        if apart.is_nan() || apart > 1e-4 {
+            let what = "a hand would not reach its cane".to_owned();
+            return Err(self.refusal(plan, clock, what));
+        }
         self.check_forces(plan)?;
-        self.check_legs(plan)
+        self.check_legs(plan, &legs)
     }
 
     /// What friction asks for.
@@ -143,8 +149,7 @@ impl PlanCheck<'_> {
     }
 
     /// The legs reach their feet, the knees bend the right way, the feet stay above the ground.
-    fn check_legs(&self, plan: &WalkPlan) -> Result<(), GaitError> {
-        let legs = plan.legs();
+    fn check_legs(&self, plan: &WalkPlan, legs: &LegsCheck) -> Result<(), GaitError> {
         let fails = |bad: bool, clock: f64, what: String| {
             if bad { Err(self.refusal(plan, clock, what)) } else { Ok(()) }
         };

@@ -292,7 +292,7 @@ impl<'a> Planner<'a> {
             Some(_) if !holds => Err(RequestError::NoCane.into()),
             load => {
                 let load = load.unwrap_or(CANE_LOAD);
-                range("cane load", load, "of the weight", CANE_LOADS, || {
+                range("cane load", load, " of the weight", CANE_LOADS, || {
                     "; wrists do not bear more".to_owned()
                 })?;
                 Ok(load)

@@ -23,6 +23,7 @@ mod tempo;
 mod terrain;
 mod timeline;
 
+pub(crate) use check::LegsCheck;
 pub(crate) use course::Step;
 pub(crate) use excerpt::Excerpt;
 pub(crate) use grounded::Grounded;

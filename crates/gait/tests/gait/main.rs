@@ -4,6 +4,7 @@
 mod anywhere;
 mod asked;
 mod backward;
+mod cane;
 mod chair;
 mod changes;
 mod changes_random;

@@ -379,6 +379,33 @@ fn a_shorter_leg_is_so_by_the_same_part_of_thigh_and_shank() {
 }
 
 #[test]
+fn a_cane_is_as_long_as_the_fist_is_high() {
+    for (height, hand) in [(1.741, "left"), (1.2, "right")] {
+        let with = Human::new(height, 23.0 * height * height).cane(hand).build().expect("a person");
+        let without = human(height, 23.0 * height * height).expect("a person");
+        // Standing straight, upper arms hanging and elbows bent by 30°, it stands on the ground that the soles stand on.
+        let names = with.layout().v_names();
+        let mut q = vec![0.0; with.layout().nq()];
+        q[names.iter().position(|name| *name == format!("{hand}_elbow.rx")).expect("an elbow")] =
+            -30_f64.to_radians();
+        let places = with.places(&q);
+        let link = |name: &str| with.link_index(name).expect("a link");
+        let fist = places[link("cane")].translation.y;
+        let heel = with.links()[link("left_foot")].sole_point(SolePart::Heel).expect("a heel");
+        let ground = places[link("left_foot")].translation.y + heel.y;
+        let length = -with.link("cane").expect("a cane").tip().expect("a tip").y;
+        assert!((fist - ground - length).abs() < 1e-12, "{fist} {ground} {length}");
+        assert!((with.mass() - without.mass() - 0.4 * length).abs() < 1e-12);
+        // A thin rod turns about its end as m L²/3.
+        let rod = with.link("cane").expect("a cane");
+        let about_end = rod.inertia()[(0, 0)] + rod.mass() * rod.com().norm_squared();
+        assert!((about_end / (rod.mass() * length * length / 3.0) - 1.0).abs() < 1e-3, "{about_end}");
+    }
+    let error = Human::new(1.75, 73.0).cane("third").build().expect_err("refused").to_string();
+    assert!(error.contains("'third' hand") && error.contains("left or in the right"), "{error}");
+}
+
+#[test]
 fn a_load_in_a_hand_is_a_point_mass_in_the_fist() {
     let (empty, porter) = (
         human(1.741, 73.0).expect("a person"),

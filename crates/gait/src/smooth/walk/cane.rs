@@ -13,13 +13,15 @@ use solaris_profiles::step;
 /// The tip beside its foot: so far ahead of the heel (m, of somebody of the reference height).
 const AHEAD: f64 = 0.10;
 /// When it is lifted, on the clock of its foot (u), and how long its first way takes at most.
-const LIFTS: f64 = 0.55;
+const LIFTS: f64 = 0.56;
 const FIRST_WAY: f64 = 0.45;
 /// How high it is lifted (m, likewise).
 const HEIGHT: f64 = 0.04;
-/// When what it bears rises and falls, on the clock of its foot: begin and duration (u). As the other foot lands it bears nothing any more.
-const RISES: (f64, f64) = (0.02, 0.18);
-const FALLS: (f64, f64) = (0.32, 0.18);
+/// When what it bears rises and falls, on the clock of its foot: begin and duration (u); and where the walk ends, so that it bears nothing any more
+/// as the other foot closes.
+const RISES: (f64, f64) = (0.0, 0.14);
+const FALLS: (f64, f64) = (0.41, 0.15);
+const FALLS_LAST: (f64, f64) = (0.35, 0.15);
 
 /// The tip on one place.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +30,8 @@ struct Stand {
     from: f64,
     until: f64,
     at: Vector3<f64>,
-    /// Whether it bears something meanwhile.
-    bears: bool,
+    /// When what it bears falls, if it bears something.
+    falls: Option<(f64, f64)>,
 }
 
 /// The tip over a walk.
@@ -58,19 +60,27 @@ impl CaneWay {
     /// Of somebody who stands first and last with the tip as these do, and bears the part `load` of the weight on it at most; none without a cane.
     pub(super) fn new(course: &Course, body: &Body, standing: [&Standing; 2], load: f64) -> Option<Self> {
         let (cane, [first, last]) = (body.cane?, [standing[0].cane?, standing[1].cane?]);
-        // The foot that it helps, whose print has it on its inner side.
+        // The foot that it helps.
         let side = 1 - cane.side;
-        let inner = Vector3::new(-first.x.abs(), 0.0, AHEAD * body.scale());
+        let aside = Vector3::new(first.x, 0.0, AHEAD * body.scale());
         let beside = |print: Print, tip: &Vector3<f64>| print.place + turned(print.heading, tip);
         let stands = stands(course, side).enumerate().map(|(j, (from, until))| {
             let episode = course.episode(side, j);
             let at = match episode.kind {
                 Kind::First => beside(course.first(), &first),
-                Kind::Step => episode.print.world(side, &inner),
+                // As the body faces in the middle of it, to be as far from the shoulder before as after.
+                Kind::Step => {
+                    let facing = course.heading(episode.contact + 0.5 * LIFTS);
+                    course.way(episode.index).place + turned(facing, &aside)
+                }
                 Kind::Last | Kind::Close => beside(course.last(), &last),
             };
-            let bears = matches!(episode.kind, Kind::Step | Kind::Last);
-            Stand { from, until, at, bears }
+            let falls = match episode.kind {
+                Kind::Step => Some(FALLS),
+                Kind::Last => Some(FALLS_LAST),
+                Kind::First | Kind::Close => None,
+            };
+            Stand { from, until, at, falls }
         });
         Some(Self { stands: stands.collect(), height: HEIGHT * body.scale(), load })
     }
@@ -95,10 +105,8 @@ impl CaneWay {
     /// The part of the whole vertical force that it bears.
     pub(super) fn share(&self, u: f64) -> f64 {
         let stand = &self.stands[self.stand(u)];
-        if !stand.bears {
-            return 0.0;
-        }
+        let Some(falls) = stand.falls else { return 0.0 };
         let at = |(begin, time): (f64, f64)| step::quintic((u - stand.from - begin) / time).position;
-        self.load * at(RISES) * (1.0 - at(FALLS))
+        self.load * at(RISES) * (1.0 - at(falls))
     }
 }

@@ -12,16 +12,20 @@ pub(crate) struct LegsCheck {
     pub(crate) lowest: (f64, f64),
     /// Greatest distance by which a leg is too short for its planted foot (m), and its clock.
     pub(crate) short: (f64, f64),
+    /// By how much the hand that holds a cane is farther from its tip than the cane is long (m), and its clock.
+    pub(crate) cane: (f64, f64),
 }
 
 impl WalkPlan {
     pub(crate) fn legs(&self) -> LegsCheck {
         let toe = self.body.leg.toe_polar();
         let none = (f64::INFINITY, 0.0);
-        let mut check = LegsCheck { least_knee: none, lowest: none, short: (0.0, 0.0) };
+        let mut check = LegsCheck { least_knee: none, lowest: none, short: (0.0, 0.0), cane: (0.0, 0.0) };
         let (_, (first, last)) = self.nodes();
         for u in (first..=last).map(|node| self.clock(node)) {
             let (hips, legs) = self.hips_and_legs(u);
+            let (apart, at) = least((-check.cane.0, check.cane.1), (-self.beyond_cane(u), u));
+            check.cane = (-apart, at);
             for side in [0, 1] {
                 let (hip, pose, leg) = (hips[side], legs[side], &self.body.sides[side]);
                 check.least_knee = least(check.least_knee, (pose.knee, u));

@@ -173,6 +173,11 @@ impl Course {
         self.prints.iter().map(|print| print.heading)
     }
 
+    /// The way at contact `k`.
+    pub(super) fn way(&self, k: usize) -> Print {
+        self.prints[k]
+    }
+
     /// Where the walk ends.
     pub(super) fn last(&self) -> Print {
         self.prints[self.steps]

@@ -15,7 +15,7 @@ use crate::body::foot::{FootPlane, turned};
 use crate::body::rotations::Euler;
 use crate::error::GaitError;
 use crate::smooth::laws::{self, Swings};
-use crate::smooth::prescribed::normal_of;
+use crate::smooth::prescribed::{CaneNode, normal_of};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
@@ -164,6 +164,13 @@ impl WalkLaws {
         let tip = turned(-heading, &(way.tip(u) - pelvis));
         let held = cane.hold(body, trunk, &carriage, &tip);
         Some((cane.side, Held { fist: pelvis + turned(heading, &held.fist), ..held }))
+    }
+
+    /// The cane at a clock, for the pelvis there.
+    pub(super) fn cane_at(&self, body: &Body, u: f64, pelvis: &Vector3<f64>) -> Option<CaneNode> {
+        let (_, held) = self.held(body, u, pelvis, &self.angles(u).0)?;
+        let (share, tip) = self.leant(u);
+        Some(CaneNode { share, tip, fist: held.fist })
     }
 
     /// The part of the whole vertical force that a cane bears, and where its tip is.

@@ -12,7 +12,7 @@ use crate::body::leg::LegPose;
 use crate::error::GaitError;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
-use crate::smooth::prescribed::{CaneNode, PrescribedNode, spread};
+use crate::smooth::prescribed::{PrescribedNode, spread};
 use crate::walking::G;
 use nalgebra::Vector3;
 use solaris_profiles::UniformSpline;
@@ -142,19 +142,13 @@ impl Passes {
         }
         let Some(Pass { feet, pelvis, rate, vertical }) = last else { unreachable!("at least one pass") };
         let Self { body, laws, timeline, corrections, offset, solved_tilting, .. } = self;
-        let cane = |i: usize| {
-            let u = timeline.clock(i);
-            let (_, held) = laws.held(&body, u, &pelvis[i], &laws.angles(u).0)?;
-            let (share, tip) = laws.leant(u);
-            Some(CaneNode { share, tip, fist: held.fist })
-        };
         let nodes = (0..timeline.grid.count)
             .map(|i| PrescribedNode {
                 com: pelvis[i] + offset[i],
                 vertical: vertical[i],
                 momentum_rate: rate[i],
                 feet: laws.support(timeline.clock(i)),
-                cane: cane(i),
+                cane: laws.cane_at(&body, timeline.clock(i), &pelvis[i]),
                 tilting: solved_tilting[i],
             })
             .collect();

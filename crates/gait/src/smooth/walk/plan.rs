@@ -404,11 +404,22 @@ impl WalkPlan {
     /// What the ground does to the cane at a clock; none without a cane.
     pub fn cane(&self, clock: f64) -> Option<Contact> {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
-        let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
-        let (_, held) = self.laws.held(&self.body, u, &pelvis, &self.laws.angles(u).0)?;
-        let ((share, tip), advance) = (self.laws.leant(u), Vector3::z() * advance);
-        let [tip, fist] = [tip, held.fist].map(|at| self.seen_point(at + advance));
+        let CaneNode { share, tip, fist } = self.held_cane(u)?;
+        let advance = Vector3::z() * advance;
+        let [tip, fist] = [tip, fist].map(|at| self.seen_point(at + advance));
         Some(CaneNode { share, tip, fist }.contact(self.planned_force(u).y))
+    }
+
+    /// The cane at a clock of the walk that was planned.
+    fn held_cane(&self, u: f64) -> Option<CaneNode> {
+        let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
+        self.laws.cane_at(&self.body, u, &pelvis)
+    }
+
+    /// By how much the hand that holds it is farther from its tip then than it is long (m); nothing without a cane.
+    pub(super) fn beyond_cane(&self, u: f64) -> f64 {
+        let apart = |held: CaneNode| (held.fist - held.tip).norm();
+        self.held_cane(u).zip(self.body.cane).map_or(0.0, |(held, cane)| (apart(held) - cane.length).abs())
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.

@@ -145,6 +145,7 @@ fn cases() -> Vec<(&'static str, String)> {
         ("segments that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, segments: {\"left_thig\": 0.4, \"shank\": 4.3, \"hand\": \"big\"}))".to_owned()),
         ("loads that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, load: {\"rigth\": 4, \"left\": 50, \"left\": 1}))".to_owned()),
         ("legs that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, shorter_leg: {\"lefft\": 0.01, \"left\": 0.5, \"left\": 0.01}))".to_owned()),
+        ("a cane in no hand", "Figure(version: 1, body: Human(height: 1.75, mass: 73, cane: \"lefft\"))".to_owned()),
         ("an age of nobody", "Figure(version: 1, body: Human(height: 1.1, mass: 20, age: 3))".to_owned()),
         ("limits that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, limits: {\"left_elbow.xr\": (0, 1), \"left_knee.rx\": (1, 0)}))".to_owned()),
         ("a body without height", "Figure(version: 1, body: human(mass: 73))".to_owned()),

@@ -87,6 +87,14 @@ fn a_body_stands_on_legs_of_unequal_length() {
 }
 
 #[test]
+fn a_body_holds_a_cane() {
+    let text = "Figure(version: 1, body: Human(height: 1.75, mass: 73, cane: \"left\"))";
+    let wanted = solaris_model::Human::new(1.75, 73.0).cane("left").build().expect("a person");
+    assert_eq!(figure(text), wanted);
+    assert_eq!(figure(&solaris_model::text::write(&wanted)), wanted);
+}
+
+#[test]
 fn a_body_is_one_word() {
     let found = figure(
         "Figure(version: 1, name: \"ann\", body: Human(height: 1.65, mass: 58, segments: {\"left_thigh\": 0.45}))",
