@@ -9,8 +9,8 @@ pub(crate) mod roles;
 pub(crate) mod rotations;
 mod segments;
 
-pub use cane::{CANE, helped_side};
+pub use cane::helped_side;
 pub use leg::LegGeometry;
 pub use missing::missing_for_walking;
-pub use roles::FEET;
-pub(crate) use segments::{Body, REFERENCE_HEIGHT, Segment, root_order};
+pub use roles::{CANE, FEET};
+pub(crate) use segments::{Body, Cane, REFERENCE_HEIGHT, Segment, root_order};

@@ -2,14 +2,11 @@
 
 use super::posture::ArmCarriage;
 use super::rotations::{self, Euler};
-use super::segments::{Body, Segment};
-use crate::error::BodyError;
+use super::segments::{Body, Cane};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
-use solaris_model::{AxisKind, Figure};
+use solaris_model::Figure;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
-/// Link of the cane.
-pub const CANE: &str = "cane";
 /// How far shoulder and elbow turn for it (rad, forward and bent are negative), and where the search begins.
 const SHOULDER: (f64, f64) = (-FRAC_PI_2, FRAC_PI_3);
 const ELBOW: (f64, f64) = (-150.0 * std::f64::consts::PI / 180.0, 0.0);
@@ -23,17 +20,6 @@ pub fn helped_side(figure: &Figure) -> Option<usize> {
     Some(1 - Cane::of(figure).ok()??.side)
 }
 
-/// A cane: a rod that hangs from a fist and turns in it to the side, then forward.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Cane {
-    /// The side of the hand that holds it.
-    pub(crate) side: usize,
-    /// Its first angle in `q`, the fist in the hand's frame, mass.
-    pub(crate) segment: Segment,
-    /// From the fist to its tip (m).
-    pub(crate) length: f64,
-}
-
 /// An arm that holds a cane: shoulder and elbow, the cane's angles in the fist, and where the fist is against the pelvis' origin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Held {
@@ -43,44 +29,6 @@ pub(crate) struct Held {
 }
 
 impl Cane {
-    /// That of a figure, if it has one.
-    pub(crate) fn of(figure: &Figure) -> Result<Option<Self>, BodyError> {
-        let Some(index) = figure.link_index(CANE) else { return Ok(None) };
-        let link = &figure.links()[index];
-        let parent = link.parent().map(|parent| figure.links()[parent].name());
-        let side = match parent {
-            Some("left_hand") => 0,
-            Some("right_hand") => 1,
-            other => {
-                let parent = other.unwrap_or("the world").to_owned();
-                return Err(BodyError::OtherParent { link: CANE.into(), parent, wanted: "a hand".into() });
-            }
-        };
-        let (joint, wanted) = (link.joint(), [Vector3::z(), Vector3::x()]);
-        let axes = joint.kind().axes();
-        let turns = axes
-            .iter()
-            .map(|dof| (dof.axis.kind, dof.axis.direction))
-            .eq(wanted.map(|axis| (AxisKind::Rotation, axis)));
-        let tip = link.tip().filter(|tip| tip.y < 0.0 && tip.x.abs().max(tip.z.abs()) < 1e-9);
-        let (Some(tip), true) = (tip, turns && joint.placement().rotation.angle() <= 0.0) else {
-            return Err(BodyError::OtherCane { joint: joint.name().into() });
-        };
-        let segment = Segment {
-            q: figure.layout().joints()[index].q,
-            offset: joint.placement().translation.vector,
-            mass: link.mass(),
-            com: *link.com(),
-            inertia: *link.inertia(),
-        };
-        Ok(Some(Self { side, segment, length: -tip.y }))
-    }
-
-    /// The mirror image, in the other hand.
-    pub(crate) fn mirrored(self) -> Self {
-        Self { side: 1 - self.side, segment: self.segment.mirrored(), ..self }
-    }
-
     /// Its rotation against the hand.
     pub(crate) fn rotation([aside, forward]: [f64; 2]) -> Matrix3<f64> {
         rotations::about_z(aside) * rotations::about_x(forward)

@@ -1,9 +1,8 @@
 //! The check of a figure for everything that it needs to walk.
 
-use super::cane::{CANE, Cane};
 use super::leg::LegGeometry;
-use super::roles::{ARM, LEG, MIDDLE, PELVIS_ANGLES, SIDED_ANGLES, SIDES};
-use super::segments::segment;
+use super::roles::{ARM, CANE, LEG, MIDDLE, PELVIS_ANGLES, SIDED_ANGLES, SIDES};
+use super::segments::{Cane, segment};
 use crate::error::BodyError;
 use solaris_model::{Figure, SolePart};
 

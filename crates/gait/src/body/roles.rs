@@ -10,6 +10,8 @@ pub(crate) const LEG: [&str; 4] = ["thigh", "shank", "foot", "toes"];
 pub(crate) const SIDES: [&str; 2] = ["left_", "right_"];
 /// Links of the feet, left and right: what touches the ground, with the toes behind it.
 pub const FEET: [&str; 2] = ["left_foot", "right_foot"];
+/// Link of a cane in a hand.
+pub const CANE: &str = "cane";
 /// Link on which a seat acts.
 pub(crate) const SEATED: &str = MIDDLE[0];
 /// Links of the toes, left and right.

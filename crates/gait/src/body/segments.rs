@@ -1,9 +1,8 @@
 //! The human body as the planner sees it: segments by role, their masses, the momentum of a posture.
 
-use super::cane::Cane;
 use super::foot::{mirror, mirror_rotation};
 use super::leg::LegGeometry;
-use super::roles::{ARM, LEG, MIDDLE, SIDES};
+use super::roles::{ARM, CANE, LEG, MIDDLE, SIDES};
 use crate::error::BodyError;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, RootOrder, Vector3 as V3};
@@ -34,6 +33,57 @@ impl Segment {
             inertia: mirror_rotation(&self.inertia),
             ..self
         }
+    }
+}
+
+/// A cane: a rod that hangs from a fist and turns in it to the side, then forward.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cane {
+    /// The side of the hand that holds it.
+    pub(crate) side: usize,
+    /// Its first angle in `q`, the fist in the hand's frame, mass.
+    pub(crate) segment: Segment,
+    /// From the fist to its tip (m).
+    pub(crate) length: f64,
+}
+
+impl Cane {
+    /// That of a figure, if it has one.
+    pub(crate) fn of(figure: &Figure) -> Result<Option<Self>, BodyError> {
+        let Some(index) = figure.link_index(CANE) else { return Ok(None) };
+        let link = &figure.links()[index];
+        let parent = link.parent().map(|parent| figure.links()[parent].name());
+        let side = match parent {
+            Some("left_hand") => 0,
+            Some("right_hand") => 1,
+            other => {
+                let parent = other.unwrap_or("the world").to_owned();
+                return Err(BodyError::OtherParent { link: CANE.into(), parent, wanted: "a hand".into() });
+            }
+        };
+        let (joint, wanted) = (link.joint(), [Vector3::z(), Vector3::x()]);
+        let axes = joint.kind().axes();
+        let turns = axes
+            .iter()
+            .map(|dof| (dof.axis.kind, dof.axis.direction))
+            .eq(wanted.map(|axis| (AxisKind::Rotation, axis)));
+        let tip = link.tip().filter(|tip| tip.y < 0.0 && tip.x.abs().max(tip.z.abs()) < 1e-9);
+        let (Some(tip), true) = (tip, turns && joint.placement().rotation.angle() <= 0.0) else {
+            return Err(BodyError::OtherCane { joint: joint.name().into() });
+        };
+        let segment = Segment {
+            q: figure.layout().joints()[index].q,
+            offset: joint.placement().translation.vector,
+            mass: link.mass(),
+            com: *link.com(),
+            inertia: *link.inertia(),
+        };
+        Ok(Some(Self { side, segment, length: -tip.y }))
+    }
+
+    /// The mirror image, in the other hand.
+    pub(crate) fn mirrored(self) -> Self {
+        Self { side: 1 - self.side, segment: self.segment.mirrored(), ..self }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
 
 use super::parts::Parts;
-use crate::body::cane::Cane;
+use crate::body::Cane;
 use crate::body::posture::ArmCarriage;
 use crate::body::rotations;
 use crate::body::{Body, Segment};

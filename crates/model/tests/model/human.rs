@@ -394,7 +394,8 @@ fn a_cane_is_as_long_as_the_fist_is_high() {
         let heel = with.links()[link("left_foot")].sole_point(SolePart::Heel).expect("a heel");
         let ground = places[link("left_foot")].translation.y + heel.y;
         let length = -with.link("cane").expect("a cane").tip().expect("a tip").y;
-        assert!((fist - ground - length).abs() < 1e-12, "{fist} {ground} {length}");
+        // But for the joints' offsets along z, of a millimetre or two, which the bent elbow turns.
+        assert!((fist - ground - length).abs() < 6e-4 * height, "{fist} {ground} {length}");
         assert!((with.mass() - without.mass() - 0.4 * length).abs() < 1e-12);
         // A thin rod turns about its end as m L²/3.
         let rod = with.link("cane").expect("a cane");

@@ -2,7 +2,7 @@
 
 use super::numbers::{KNEE_BY_SLOPE, KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
-use crate::body::cane::Cane;
+use crate::body::Cane;
 use crate::body::foot::mirror;
 use crate::body::rotations;
 use crate::grid::{Ends, Grid};
