@@ -64,7 +64,7 @@ test('stairs are climbed, loads are carried, and a link says all of it', async (
   await type(page, 'Stairs', 4);
   assert.equal(await title(page), 'A walk down 4 stairs');
   assert.ok(Math.abs((await rise(page)) + 4 * 0.15) < 0.05);
-  await unfold(page, 'Loads, unequal legs');
+  await unfold(page, 'Loads, unequal legs, a cane');
   await type(page, 'In the right hand (kg)', 5);
   await type(page, 'Left leg shorter (mm)', 12);
   assert.equal(await title(page), 'A walk down 4 stairs, 5 kg in the right hand, left leg 12 mm shorter');
@@ -93,7 +93,7 @@ test('what cannot be had with a run, a slope or key postures is left out', async
   await unfold(page, 'Style');
   await choose(page, 'Manner', 'sad');
   assert.equal(await title(page), 'A walk, sad');
-  await unfold(page, 'Loads, unequal legs');
+  await unfold(page, 'Loads, unequal legs, a cane');
   await type(page, 'Left leg shorter (mm)', 10);
   await type(page, 'Steps differ (× people’s)', 1);
   await choose(page, 'Gait', 'run');
@@ -112,6 +112,20 @@ test('what cannot be had with a run, a slope or key postures is left out', async
   await type(page, 'Left leg shorter (mm)', 0);
   await choose(page, 'Left side', 'drop_foot');
   assert.equal(await title(page), 'A walk, sad, left side: drop foot');
+});
+
+test('a hand holds a cane on level ground', async (t) => {
+  const page = await open(t, { still: true });
+  if (!page) return;
+  await unfold(page, 'Loads, unequal legs, a cane');
+  assert.equal(await field(page, 'It bears (% of the weight)').isVisible(), false);
+  await choose(page, 'A cane', 'left');
+  assert.equal(await title(page), 'A walk, a cane in the left hand');
+  await type(page, 'It bears (% of the weight)', 20);
+  assert.deepEqual(await faults(page), []);
+  await choose(page, 'Ground', 'slope');
+  assert.equal(await field(page, 'It bears (% of the weight)').isVisible(), false);
+  assert.doesNotMatch(await title(page), /cane/);
 });
 
 test('a run begins and ends as it is chosen', async (t) => {

@@ -19,6 +19,7 @@ use crate::Detail;
 use crate::contour::{Zone, contour};
 use crate::fair;
 use crate::field::{Bounds, Field, Form, Group, Solid};
+use crate::links;
 use crate::mesh::{Part, Skin};
 use crate::weights::influences;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
@@ -87,6 +88,9 @@ pub(crate) fn skin(figure: &Figure, detail: Detail) -> Option<Skin> {
     };
     hang::hang(&mut skin, &groups, &neighbours, &sizes);
     eyes::add(&mut skin, &sizes, detail);
+    for (at, link) in sizes.others() {
+        links::add(&mut skin, link, at);
+    }
     Some(skin)
 }
 

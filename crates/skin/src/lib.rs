@@ -49,7 +49,7 @@ pub fn parts(figure: &Figure) -> Vec<Part> {
     human::parts(figure)
 }
 
-/// The closed skin of a person; none of a figure whose links are not those of [`solaris_model::human()`].
+/// The closed skin of a person; none of a figure that lacks links of [`solaris_model::human()`]; what it has besides is as its shapes are.
 pub fn person(figure: &Figure, detail: Detail) -> Option<Skin> {
     human::skin(figure, detail)
 }

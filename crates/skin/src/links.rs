@@ -3,7 +3,7 @@
 use crate::mesh::{Influence, Skin};
 use crate::palette::THING;
 use nalgebra::{Isometry3, Point3, Vector3};
-use solaris_model::{Figure, ShapeKind};
+use solaris_model::{Figure, Link, ShapeKind};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Sectors of what is round, and rings from its pole to its equator.
@@ -17,15 +17,20 @@ pub(crate) fn skin(figure: &Figure) -> Skin {
     let _ = figure.neutral(&mut q);
     let mut skin = Skin { bind: figure.places(&q), ..Skin::default() };
     for (link, at) in figure.links().iter().zip(0_u16..) {
-        if let Some(shape) = link.shape() {
-            let place = skin.bind[at as usize] * shape.placement;
-            match shape.kind {
-                ShapeKind::Box { size } => cuboid(&mut skin, &(size / 2.0), &place, at),
-                kind => turned(&mut skin, &profile(kind), &place, at),
-            }
-        }
+        add(&mut skin, link, at);
     }
     skin
+}
+
+/// Adds the shape of a link, if it has one, where the skin is bound.
+pub(crate) fn add(skin: &mut Skin, link: &Link, at: u16) {
+    if let Some(shape) = link.shape() {
+        let place = skin.bind[at as usize] * shape.placement;
+        match shape.kind {
+            ShapeKind::Box { size } => cuboid(skin, &(size / 2.0), &place, at),
+            kind => turned(skin, &profile(kind), &place, at),
+        }
+    }
 }
 
 /// A point of a meridian: its distance from the axis and height, and the normal's; stretched along x, y, z afterwards.

@@ -40,6 +40,8 @@ export interface Who {
   // What hands carry (kg), and by how much a leg is shorter (m).
   load?: { left?: number; right?: number };
   shorterLeg?: { left?: number; right?: number };
+  // The hand that holds a cane.
+  cane?: 'left' | 'right';
 }
 
 export interface Row {

@@ -6,7 +6,7 @@ import type { People, ShownMotion, Who } from './protocol.ts';
 import type { Context } from './worker.ts';
 
 // Walkers turn by their heading first, so that any turn can be walked.
-export const human = ({ height, mass, age, load, shorterLeg }: Who): Figure => Figure.human(height, mass, age, { load, shorterLeg });
+export const human = ({ height, mass, age, load, shorterLeg, cane }: Who): Figure => Figure.human(height, mass, age, { load, shorterLeg, cane });
 
 export interface Walked extends ShownMotion {
   // As `GaitOptions::make` tells it.

@@ -7,7 +7,7 @@ import { button, el, later, latest } from '../ui/dom.ts';
 import { slider, type Slider } from '../ui/slider.ts';
 import { fold } from '../ui/tabs.ts';
 import type { Body } from '../view.ts';
-import { type Asked, bodyOf, BODY, BOUNDS, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN, wordsOf } from '../walk/asked.ts';
+import { type Asked, bodyOf, BODY, BOUNDS, CANE, DIFFERENCES, type Field, FIELDS, fieldsOf, GROUNDS, HANDS, isRun, MANNERS, optionsOf, type Options, PACE, POPULATIONS, RUN, SIDES, SLOPE, STAIRS, STYLE, titleOf, TURN, wordsOf } from '../walk/asked.ts';
 
 // Body mass over squared height of people (kg/m²), where nobody says a mass.
 const BODY_MASS_INDEX = 23.8;
@@ -127,7 +127,7 @@ export function makeWalkPanel(app: App): WalkPanel {
     ...[SLOPE, ...STAIRS].map(make),
     steps.element,
     style,
-    folded('Loads, unequal legs', ...BODY.map(make)),
+    folded('Loads, unequal legs, a cane', ...BODY.map(make), word('cane', 'A cane', HANDS), make(CANE)),
     remark,
   );
   // Only what stands with what is chosen.

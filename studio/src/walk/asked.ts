@@ -50,11 +50,13 @@ export const LEGS: Field[] = [
   { name: 'shorterLeg.right', label: 'Right leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
 ];
 export const BODY: Field[] = [...LOADS, ...LEGS];
-export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYLE, ...DIFFERENCES, ...BODY];
+export const CANE: Field = { name: 'cane_load', label: 'It bears', unit: '% of the weight', low: 0, high: 25, step: 1, value: 15, scale: 0.01 };
+export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYLE, ...DIFFERENCES, ...BODY, CANE];
 
 // Words that may be chosen, and how they are called.
 export const MANNERS: [string, string][] = ['', 'happy', 'sad', 'tired', 'proud', 'heavy', 'older', 'child', 'cautious'].map((manner) => [manner, manner || 'everybody’s']);
 export const SIDES: [string, string][] = [['', 'as the other'], ['limp', 'limp'], ['stiff_knee', 'stiff knee'], ['drop_foot', 'drop foot'], ['load', 'arm with a load']];
+export const HANDS: [string, string][] = [['', 'in no hand'], ['left', 'in the left hand'], ['right', 'in the right hand']];
 export const POPULATIONS: [string, string][] = [['', 'adults overground'], ['treadmill', 'adults on a treadmill'], ['child', 'children'], ['older', 'older people']];
 export const BOUNDS: [string, string][] = [['', 'in full run'], ['standing', 'in standing'], ['walking', 'in a walk']];
 export const GROUNDS: [string, string][] = [['', 'level'], ['slope', 'a slope'], ['stairs', 'stairs']];
@@ -70,6 +72,8 @@ export const isRun = ({ words }: Asked): boolean => words.gait === 'run';
 const isPosed = (asked: Asked): boolean => !isRun(asked) && words(asked, 'determinants') !== undefined;
 const groundOf = (asked: Asked): string => (isRun(asked) || isPosed(asked) ? '' : String(words(asked, 'on') ?? ''));
 const words = (asked: Asked, name: string): unknown => asked.words[name];
+// The hand that holds a cane, on level ground.
+const caneOf = (asked: Asked): Who['cane'] => (isRun(asked) || isPosed(asked) || groundOf(asked) ? undefined : (words(asked, 'cane') as Who['cane']));
 
 // The numbers that stand with what is chosen: others would be refused.
 export function fieldsOf(asked: Asked): Field[] {
@@ -77,7 +81,7 @@ export function fieldsOf(asked: Asked): Field[] {
   if (isPosed(asked)) return [...PACE, ...LOADS];
   const ground = groundOf(asked);
   const here = { slope: [SLOPE], stairs: STAIRS }[ground] ?? [TURN, ...DIFFERENCES];
-  return [...PACE, ...here, ...STYLE, ...BODY];
+  return [...PACE, ...here, ...STYLE, ...BODY, ...(caneOf(asked) ? [CANE] : [])];
 }
 
 // The words that do.
@@ -86,7 +90,7 @@ export function wordsOf(asked: Asked): string[] {
   if (isPosed(asked)) return ['gait', 'steps', 'determinants'];
   const walking = ['gait', 'determinants', 'population', 'manner', 'on'];
   // How many steps stairs take, they say themselves.
-  return { slope: [...walking, 'steps'], stairs: walking }[groundOf(asked)] ?? [...walking, 'steps', 'left', 'right'];
+  return { slope: [...walking, 'steps'], stairs: walking }[groundOf(asked)] ?? [...walking, 'steps', 'left', 'right', 'cane'];
 }
 
 // Sets `a.b` in an object.
@@ -106,7 +110,7 @@ function numbers(asked: Asked, fields: Field[], but?: string): Options {
 }
 
 // Words that other options come of.
-const NOT_OPTIONS = ['on', 'begins', 'ends'];
+const NOT_OPTIONS = ['on', 'begins', 'ends', 'cane'];
 
 // As the engine's options have it: only what was touched. `but`: without this number.
 export function optionsOf(asked: Asked, but?: string): Options {
@@ -122,7 +126,7 @@ export function optionsOf(asked: Asked, but?: string): Options {
 // How a run begins or ends, as the engine's options have it.
 const bound = (end: string, how: unknown): Options => ({ standing: { [`${end}_standing`]: true }, walking: { [`${end}_walking`]: {} } })[String(how)] ?? {};
 
-export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => numbers(asked, fieldsOf(asked).filter((field) => BODY.includes(field)));
+export const bodyOf = (asked: Asked): Omit<Who, 'height' | 'mass'> => ({ ...numbers(asked, fieldsOf(asked).filter((field) => BODY.includes(field))), cane: caneOf(asked) });
 
 // What it is called.
 export function titleOf(asked: Asked): string {
@@ -145,6 +149,7 @@ export function titleOf(asked: Asked): string {
     }),
     ...sides((side) => said(`load.${side}`) > 0 && `, ${shown(said(`load.${side}`))} kg in the ${side} hand`),
     ...sides((side) => said(`shorterLeg.${side}`) > 0 && `, ${side} leg ${shown(1e3 * said(`shorterLeg.${side}`))} mm shorter`),
+    ...sides((side) => caneOf(asked) === side && `, a cane in the ${side} hand`),
   ];
   const begins = word('begins', BOUNDS);
   const ends = word('ends', BOUNDS);

@@ -5,7 +5,8 @@ use super::options::{GaitKind, GaitOptions};
 use super::request::unknown;
 use crate::error::RequestError;
 use crate::request::{
-    DEFAULT_RUN_SPEED, MOST_VARIABILITY, RUN_SPEED, STEP_FREQUENCY, Stairs, TURN, WalkRequest,
+    CANE_LOAD, CANE_LOADS, DEFAULT_RUN_SPEED, MOST_VARIABILITY, RUN_SPEED, STEP_FREQUENCY, Stairs, TURN,
+    WalkRequest,
 };
 use crate::smooth::{PARAMETERS, Parameter, step_length_on_slope};
 use crate::thesis::THESIS_STEP_FREQUENCY;
@@ -28,6 +29,7 @@ pub(super) enum Field {
     Turn,
     Slope,
     Variability,
+    CaneLoad,
     Rise,
     Tread,
     /// A number of the style.
@@ -35,13 +37,14 @@ pub(super) enum Field {
 }
 
 /// The names of those that are no numbers of the style.
-const NAMES: [(&str, Field); 8] = [
+const NAMES: [(&str, Field); 9] = [
     ("step-frequency", Field::StepFrequency),
     ("step-length", Field::StepLength),
     ("speed", Field::Speed),
     ("turn", Field::Turn),
     ("slope", Field::Slope),
     ("variability", Field::Variability),
+    ("cane-load", Field::CaneLoad),
     ("stairs.rise", Field::Rise),
     ("stairs.tread", Field::Tread),
 ];
@@ -71,6 +74,7 @@ impl Field {
             Self::Turn => Some(options.turn),
             Self::Slope => options.slope,
             Self::Variability => options.variability,
+            Self::CaneLoad => options.cane_load,
             Self::Rise => options.stairs?.rise,
             Self::Tread => options.stairs?.tread,
             Self::Style(name) => options
@@ -91,6 +95,7 @@ impl Field {
             Self::Turn => options.turn = value,
             Self::Slope => options.slope = Some(value),
             Self::Variability => options.variability = Some(value),
+            Self::CaneLoad => options.cane_load = Some(value),
             Self::Rise => options.stairs.get_or_insert_default().rise = Some(value),
             Self::Tread => options.stairs.get_or_insert_default().tread = Some(value),
             Self::Style(name) => {
@@ -116,6 +121,7 @@ impl Field {
             Self::Turn => [-TURN, TURN],
             Self::Slope => SLOPES,
             Self::Variability => [0.0, MOST_VARIABILITY],
+            Self::CaneLoad => CANE_LOADS.into(),
             Self::Rise => RISES,
             Self::Tread => TREADS,
             Self::Style(name) => {
@@ -131,6 +137,7 @@ impl Field {
         let stairs = Stairs::default();
         match self {
             Self::Turn | Self::Slope | Self::Variability => Some(0.0),
+            Self::CaneLoad => judge.body.cane.map(|_| CANE_LOAD),
             Self::Rise => Some(stairs.rise),
             Self::Tread => Some(stairs.tread),
             Self::Speed if options.gait == GaitKind::Run => Some(DEFAULT_RUN_SPEED),

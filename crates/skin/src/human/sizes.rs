@@ -24,7 +24,7 @@ pub(super) struct Sizes<'a> {
 }
 
 impl<'a> Sizes<'a> {
-    /// None of a figure whose links are not a person's.
+    /// None of a figure that lacks a link of a person's.
     pub(super) fn of(figure: &'a Figure) -> Option<Self> {
         let reference = human(1.741, 73.0).ok()?;
         let parent =
@@ -33,9 +33,7 @@ impl<'a> Sizes<'a> {
             let own = figure.link(link.name())?;
             (parent(figure, own) == parent(&reference, link) && is_straight(own)).then_some(())
         };
-        if figure.links().len() != reference.links().len()
-            || reference.links().iter().any(|link| same(link).is_none())
-        {
+        if reference.links().iter().any(|link| same(link).is_none()) {
             return None;
         }
         let (stature, standard) = (stature(figure)?, stature(&reference)?);
@@ -64,6 +62,12 @@ impl<'a> Sizes<'a> {
             places.push(link.parent().map_or_else(Isometry3::identity, |parent| places[parent] * own));
         }
         places
+    }
+
+    /// The links that are none of a person's, such as a cane.
+    pub(super) fn others(&self) -> impl Iterator<Item = (u16, &Link)> {
+        let links = (0_u16..).zip(self.figure.links());
+        links.filter(|(_, link)| self.reference.link(link.name()).is_none())
     }
 
     pub(super) fn index(&self, link: &str) -> usize {

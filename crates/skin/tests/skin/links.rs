@@ -1,7 +1,7 @@
 //! Machines: each link's shape as it is.
 
 use nalgebra::Vector3;
-use solaris_model::{FigureBuilder, Joint, LinkSpec, Placement, Shape, ShapeKind};
+use solaris_model::{FigureBuilder, Human, Joint, LinkSpec, Placement, Shape, ShapeKind};
 use solaris_skin::{Detail, skin};
 
 fn shaped(kind: ShapeKind) -> LinkSpec {
@@ -39,4 +39,27 @@ fn links_without_shape_have_nothing_and_nothing_fails() {
         .expect("a figure");
     let skin = skin(&figure, Detail::Fine);
     assert!(skin.points.is_empty() && skin.bind.len() == 1);
+}
+
+#[test]
+fn what_a_person_holds_is_as_its_shape_is() {
+    let person = Human::new(1.75, 73.0);
+    let figure = person.clone().cane("left").build().expect("a person with a cane");
+    let (with, without) =
+        (skin(&figure, Detail::Coarse), skin(&person.build().expect("a person"), Detail::Coarse));
+    let (cane, own) = (figure.link_index("cane").expect("a cane"), without.points.len());
+    assert_eq!(with.points[..own], without.points[..]);
+    assert!(
+        with.points.len() > own && with.influences[own..].iter().all(|at| usize::from(at[0].link) == cane)
+    );
+    assert!(
+        with.influences[..own].iter().flatten().all(|at| at.share == 0.0 || usize::from(at.link) != cane)
+    );
+    // Nowhere farther from its axis than it is thick.
+    let to_axis = |point: &Vector3<f64>| {
+        let own = with.bind[cane].inverse_transform_point(&(*point).into());
+        own.x.hypot(own.z)
+    };
+    let thick = with.points[own..].iter().map(to_axis).fold(0.0, f64::max);
+    assert!((thick - 0.009).abs() < 1e-6, "{thick}");
 }

@@ -4,7 +4,7 @@ use super::FigureReader;
 use crate::fault::Fault;
 use crate::figure::Figure;
 use crate::human::{Human, HumanError, RootOrder};
-use solaris_text::Node;
+use solaris_text::{Fields, Node};
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -29,11 +29,7 @@ impl FigureReader<'_> {
         let height = height_node.and_then(|node| self.number(node, "the height"));
         let mass = mass_node.and_then(|node| self.number(node, "the mass"));
         let segments = fields.get("segments").map(|node| self.amounts(node, &SEGMENTS)).unwrap_or_default();
-        let loads = fields.get("load").map(|node| self.amounts(node, &LOAD)).unwrap_or_default();
-        let shorter = fields.get("shorter_leg").map(|node| self.amounts(node, &SHORTER)).unwrap_or_default();
-        let cane = fields
-            .get("cane")
-            .map(|node| (self.name(node, "left or right").map(str::to_owned), node.span.clone()));
+        let sided = self.sided(&fields);
         let age_node = fields.get("age");
         let age = age_node.map(|node| self.number(node, "the age"));
         let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
@@ -75,25 +71,16 @@ impl FigureReader<'_> {
             }
             human = human.segment_length(&segment.name, segment.amount);
         }
-        let with_load: Sided = |human, load| human.load(&load.name, load.amount);
-        let with_leg: Sided = |human, leg| human.shorter_leg(&leg.name, leg.amount);
-        let loads = loads.into_iter().map(|load| (with_load, load));
-        for (with, named) in loads.chain(shorter.into_iter().map(|leg| (with_leg, leg))) {
+        for (with, named) in sided? {
             let with = with(human.clone(), &named);
             match with.build() {
-                Err(error @ (HumanError::Load { .. } | HumanError::ShorterLeg { .. })) => {
+                Err(
+                    error @ (HumanError::Load { .. }
+                    | HumanError::ShorterLeg { .. }
+                    | HumanError::Cane { .. }),
+                ) => {
                     let is_side = ["left", "right"].contains(&named.name.as_str());
                     self.fault(if is_side { named.amount_at } else { named.name_at }, error.to_string());
-                    good = false;
-                }
-                _ => human = with,
-            }
-        }
-        if let Some((hand, at)) = cane {
-            let with = human.clone().cane(hand?);
-            match with.build() {
-                Err(error @ HumanError::Cane { .. }) => {
-                    self.fault(at, error.to_string());
                     good = false;
                 }
                 _ => human = with,
@@ -136,6 +123,28 @@ impl FigureReader<'_> {
     fn is_limp(&mut self, node: &Node<'_>) -> Option<bool> {
         let kind = self.kind(node, &["Angles", "Limp"])?;
         self.stands_alone(node, kind).then_some(kind == "Limp")
+    }
+
+    /// What a side has, each with what it does to a human; none where that is not told.
+    fn sided(&mut self, fields: &Fields<'_, '_>) -> Option<Vec<(Sided, Named)>> {
+        let loads = fields.get("load").map(|node| self.amounts(node, &LOAD)).unwrap_or_default();
+        let shorter = fields.get("shorter_leg").map(|node| self.amounts(node, &SHORTER)).unwrap_or_default();
+        let cane = fields.get("cane").map(|node| self.hand(node));
+        let with_load: Sided = |human, load| human.load(&load.name, load.amount);
+        let with_leg: Sided = |human, leg| human.shorter_leg(&leg.name, leg.amount);
+        let with_cane: Sided = |human, hand| human.cane(&hand.name);
+        let mut sided: Vec<(Sided, Named)> = loads.into_iter().map(|load| (with_load, load)).collect();
+        sided.extend(shorter.into_iter().map(|leg| (with_leg, leg)));
+        if let Some(hand) = cane {
+            sided.push((with_cane, hand?));
+        }
+        Some(sided)
+    }
+
+    /// The hand that holds something.
+    fn hand(&mut self, node: &Node<'_>) -> Option<Named> {
+        let name = self.name(node, "left or right")?.to_owned();
+        Some(Named { name, name_at: node.span.clone(), amount: 0.0, amount_at: node.span.clone() })
     }
 
     /// Limits by the name of a degree of freedom, and where the name stands.
