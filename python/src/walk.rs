@@ -42,7 +42,7 @@ pub(crate) struct Walk {
 ///
 /// In which manner: `population` (`"adult"`, `"treadmill"`, `"child"`, `"older"`), `manner` (such as `"sad:0.6,heavy:0.3"`), `left` and
 /// `right` (manners of one side), `variability` (over people's, with a `seed`), and `style`, numbers by name
-/// (`solaris.style_parameters()` lists them); `cane_load` is the part of the weight that the cane of a figure with one bears at most. With `determinants` (3 or 5) it is a walk through the thesis's key postures.
+/// (`solaris.style_parameters()` lists them); `cane_load` is the part of the whole vertical force that the cane of a figure with one bears at most. With `determinants` (3 or 5) it is a walk through the thesis's key postures.
 ///
 /// `loop` makes one stride that repeats itself, `"moving"` or `"in_place"`. `rate` is in samples a second (120): where it is
 /// given, the step frequency of a loop is fitted to whole frames.

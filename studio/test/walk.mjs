@@ -118,13 +118,13 @@ test('a hand holds a cane on level ground', async (t) => {
   const page = await open(t, { still: true });
   if (!page) return;
   await unfold(page, 'Loads, unequal legs, a cane');
-  assert.equal(await field(page, 'It bears (% of the weight)').isVisible(), false);
+  assert.equal(await field(page, 'It bears (% of the force)').isVisible(), false);
   await choose(page, 'A cane', 'left');
   assert.equal(await title(page), 'A walk, a cane in the left hand');
-  await type(page, 'It bears (% of the weight)', 20);
+  await type(page, 'It bears (% of the force)', 20);
   assert.deepEqual(await faults(page), []);
   await choose(page, 'Ground', 'slope');
-  assert.equal(await field(page, 'It bears (% of the weight)').isVisible(), false);
+  assert.equal(await field(page, 'It bears (% of the force)').isVisible(), false);
   assert.doesNotMatch(await title(page), /cane/);
 });
 

@@ -21,7 +21,7 @@ pub struct Support {
     pub feet: [FootSupport; 2],
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
     pub pivot: f64,
-    /// The total force that was prescribed (N), if one was; the report says how far the motion's is from it.
+    /// The total force on the feet that was prescribed (N), if one was; the report says how far the motion's is from it.
     pub force: Option<Vector3<f64>>,
 }
 
@@ -29,6 +29,11 @@ pub struct Support {
 pub trait SupportLaw: Sync {
     /// At time `t` (s).
     fn support(&self, t: f64) -> Support;
+    /// What the ground does to a link that is no foot, such as a cane, by its name; none at any time where there is no such link.
+    fn beside(&self, t: f64) -> Option<(&str, Contact)> {
+        let _ = t;
+        None
+    }
 }
 
 /// What was found, besides the contacts and forces in the motion.
@@ -78,10 +83,7 @@ pub(crate) struct Foot {
 
 impl Foot {
     pub(crate) fn find(figure: &Figure, name: &str) -> Result<Self, ReactionError> {
-        let link = figure.link_index(name).ok_or_else(|| ReactionError::MissingLink {
-            figure: figure.name().to_owned(),
-            link: name.to_owned(),
-        })?;
+        let link = find(figure, name)?;
         if figure.links()[link].sole().is_empty() {
             return Err(ReactionError::NoSole { link: name.to_owned() });
         }
@@ -90,6 +92,11 @@ impl Foot {
         let carrier = toes.map(|(toes, _)| toes).find_map(|toes| Carrier::of_two(figure, link, toes));
         Ok(Self { name: name.to_owned(), carrier: carrier.unwrap_or(Carrier::of_one(link)) })
     }
+}
+
+fn find(figure: &Figure, name: &str) -> Result<usize, ReactionError> {
+    let missing = || ReactionError::MissingLink { figure: figure.name().to_owned(), link: name.to_owned() };
+    figure.link_index(name).ok_or_else(missing)
 }
 
 /// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion, as [`ground_reactions_under`] does where nothing else acts.
@@ -110,7 +117,8 @@ pub fn ground_reactions(
 
 /// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion.
 ///
-/// `acting` is what acts on links besides, frame by frame: pushes and springs, each with its link and about the world's origin (N, N m); frames beyond its end have nothing. Contacts of other links that the motion has act as well, and the feet have what is left of the whole wrench.
+/// `acting` is what acts on links besides, frame by frame: pushes and springs, each with its link and about the world's origin (N, N m); frames beyond its end have nothing. Contacts of other links that the motion has act as well, and what the law knows of besides, which is written to it; the feet have what is left of the
+/// whole wrench.
 ///
 /// The contacts carry the feet's names, whichever link of the foot the wrench acts on: the toes, once the centre of
 /// pressure has passed the ball. Frames are independent of each other and solved on all cores where the feature
@@ -145,8 +153,14 @@ fn reactions_under(
         return Err(ReactionError::OneFootTwice { link: feet[0].to_owned() });
     }
     let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
-    let others = others(figure, motion, &feet);
-    let scene = Scene { prepared: &prepared, feet: &feet, others: &others, acting, law };
+    let beside = match law.beside(0.0) {
+        Some((name, _)) => Some((find(figure, name)?, name.to_owned())),
+        None => None,
+    };
+    let mut others = others(figure, motion, &feet);
+    others.retain(|(link, _)| beside.as_ref().is_none_or(|(beside, _)| beside != link));
+    let link = beside.as_ref().map(|(link, _)| *link);
+    let scene = Scene { prepared: &prepared, feet: &feet, others: &others, beside: link, acting, law };
     let frames = each(
         0..motion.len(),
         || Workspace::new(&prepared.tree),
@@ -164,6 +178,7 @@ fn reactions_under(
     let mut tau = Vec::with_capacity(motion.len() * figure.layout().nv());
     let mut tracks =
         feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
+    let mut beside = beside.map(|(_, link)| ContactTrack { link, samples: Vec::with_capacity(motion.len()) });
     let slides = slides(figure.links()[0].joint().kind());
     for (frame, &time) in frames.into_iter().zip(motion.time()) {
         for (residual, slide) in frame.tau[root.v..root.v + root.nv].iter().zip(&slides) {
@@ -180,10 +195,14 @@ fn reactions_under(
         for (track, contact) in tracks.iter_mut().zip(frame.contacts) {
             track.samples.push(contact);
         }
+        if let Some(track) = &mut beside {
+            track.samples.push(frame.beside);
+        }
     }
     motion.set_tau(tau)?;
-    motion.contacts.retain(|track| tracks.iter().all(|new| new.link != track.link));
-    motion.contacts.extend(tracks);
+    let new = || beside.iter().chain(&tracks);
+    motion.contacts.retain(|track| new().all(|new| new.link != track.link));
+    motion.contacts.extend(beside.clone().into_iter().chain(tracks));
     Ok(report)
 }
 
@@ -191,6 +210,7 @@ fn reactions_under(
 struct Frame {
     tau: Vec<f64>,
     contacts: [Contact; 2],
+    beside: Contact,
     from_prescribed: Option<f64>,
     cop_from_nominal: f64,
 }
@@ -207,6 +227,8 @@ struct Scene<'a> {
     feet: &'a [Foot; 2],
     /// Links with contacts that are known.
     others: &'a [(usize, &'a ContactTrack)],
+    /// The link that the law knows of besides.
+    beside: Option<usize>,
     /// What acts on links besides, frame by frame.
     acting: &'a [Vec<(usize, Wrench<f64>)>],
     law: &'a dyn SupportLaw,
@@ -226,6 +248,9 @@ impl Scene<'_> {
             Some((*link, Wrench { force, moment }))
         });
         let known = known.chain(self.acting.get(row).into_iter().flatten().copied());
+        let beside = self.law.beside(time).map(|(_, contact)| contact).unwrap_or_default();
+        let wrench = Wrench { force: beside.force, moment: beside.moment };
+        let known = known.chain(self.beside.map(|link| (link, wrench)));
         let react = |workspace: &Workspace<f64>, com: &Vector3<f64>| {
             let mut total = workspace.base_wrench();
             let mut all: Vec<(usize, Wrench<f64>)> = known.collect();
@@ -247,7 +272,7 @@ impl Scene<'_> {
             Ok::<_, ReactionError>(all)
         };
         inverse_dynamics_with(tree, workspace, q, v, a, react, &mut tau)?;
-        Ok(Frame { tau, contacts, from_prescribed, cop_from_nominal })
+        Ok(Frame { tau, contacts, beside, from_prescribed, cop_from_nominal })
     }
 }
 

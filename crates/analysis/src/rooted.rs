@@ -59,6 +59,10 @@ pub fn reactions_from_feet(
     let [Some(left), Some(right)] = tracks else {
         return Err(ReactionError::NoContacts { link: feet[usize::from(tracks[0].is_some())].to_owned() });
     };
+    // What the world does to other links acts as it is.
+    let no_feet = motion.contacts.iter().filter(|track| !feet.contains(&track.link.as_str()));
+    let others: Vec<(usize, Vec<Contact>)> =
+        no_feet.filter_map(|track| Some((figure.link_index(&track.link)?, track.samples.clone()))).collect();
     let tree = Tree::<f64>::new(figure, gravity)?;
     let mut workspace = Workspace::new(&tree);
     let mut views: Vec<View> = Vec::new();
@@ -82,11 +86,12 @@ pub fn reactions_from_feet(
         if report.roots.last().is_none_or(|(last, _)| last != name) {
             report.roots.push((name.to_owned(), motion.time()[row]));
         }
-        let other =
-            (links[1 - on], Wrench { force: contacts[1 - on].force, moment: contacts[1 - on].moment });
+        let wrench = |contact: &Contact| Wrench { force: contact.force, moment: contact.moment };
+        let mut acting = vec![(links[1 - on], wrench(&contacts[1 - on]))];
+        acting.extend(others.iter().map(|(link, samples)| (*link, wrench(&samples[row]))));
         let first = tau.len();
         tau.resize(first + tree.nv(), 0.0);
-        let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
+        let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), acting, &mut tau[first..])?;
         // Ground that is not level is no plane; its point stays where it was, as the wrench does but for rounding.
         let plane = motion.relief.is_none().then(|| base.center_of_pressure(&up, level)).flatten();
         let cop = plane.unwrap_or(contacts[on].cop);
@@ -145,18 +150,20 @@ impl View {
         Ok(Self { link, map, tree, workspace, q: vec![0.0; nq], v, a, tau })
     }
 
-    /// The forces of the joints (of the declared figure) in a state, with a wrench on another link; what the world does to the
+    /// The forces of the joints (of the declared figure) in a state, with wrenches on other links; what the world does to the
     /// root.
     fn solve(
         &mut self,
         (q, v, a): (&[f64], &[f64], &[f64]),
-        (link, wrench): (usize, Wrench<f64>),
+        mut acting: Vec<(usize, Wrench<f64>)>,
         tau: &mut [f64],
     ) -> Result<Wrench<f64>, ReactionError> {
         self.map.to_view(q, v, a, &mut self.q, &mut self.v, &mut self.a)?;
-        let external = [(self.map.rerooted().links()[link].link, wrench)];
+        for (link, _) in &mut acting {
+            *link = self.map.rerooted().links()[*link].link;
+        }
         let Self { tree, workspace, .. } = self;
-        inverse_dynamics(tree, workspace, &self.q, &self.v, &self.a, &external, &mut self.tau)?;
+        inverse_dynamics(tree, workspace, &self.q, &self.v, &self.a, &acting, &mut self.tau)?;
         self.map.joint_forces_from_view(&self.tau, q, tau)?;
         Ok(self.workspace.base_wrench())
     }

@@ -28,6 +28,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let files = PlannedFiles::new(&args.files, args.who.figure.as_deref())?;
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
+    let asked = asked.of(&figure, args);
 
     let progress = Progress::new(4);
     let (planned, motion) = Planned::of(&mut figure, &asked, args, &progress)?;

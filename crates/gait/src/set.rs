@@ -164,8 +164,11 @@ impl Maker<'_> {
         let (plan, part) =
             StyledPlan::as_far_as_it_holds(self.figure, &StyledRequest::Smooth(request.clone()))?;
         if let Some((part, why)) = part {
-            let note =
-                format!("{}: {part} of the manner is walked, for all of it would not hold: {why}", self.name);
+            let note = format!(
+                "{}: {:.0} % of the manner are walked, for all of it would not hold: {why}",
+                self.name,
+                100.0 * part
+            );
             if !self.notes.contains(&note) {
                 self.notes.push(note);
             }

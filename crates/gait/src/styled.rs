@@ -30,6 +30,18 @@ pub enum StyledRequest {
 }
 
 impl StyledRequest {
+    /// See [`WalkRequest::helped_foot_first`].
+    #[must_use]
+    pub fn helped_foot_first(self, figure: &Figure) -> Self {
+        match self {
+            Self::Smooth(request) => Self::Smooth(request.helped_foot_first(figure)),
+            Self::Sequence(segments) => Self::Sequence(
+                segments.into_iter().map(|segment| segment.helped_foot_first(figure)).collect(),
+            ),
+            other => other,
+        }
+    }
+
     /// The request of somebody of this stature (m) at the step frequency (steps/min) next to its own at which a stride lasts a whole number of frames of `rate` a second;
     /// none where it does so already, and of a run, whose step frequency follows from its speed.
     ///

@@ -10,9 +10,8 @@ pub use stride_loop::StrideLoop;
 
 pub(crate) use stood::Stood;
 
-use crate::body::CANE;
 use solaris_analysis::{ReactionError, balance_momentum};
-use solaris_model::{Contact, ContactTrack, Event, Figure, Interval, Motion, MotionInfo, Trajectory};
+use solaris_model::{Contact, Event, Figure, Interval, Motion, MotionInfo, Trajectory};
 
 /// Acceleration of gravity that walks are planned for (m/s²): the standard one.
 pub(crate) const G: f64 = 9.80665;
@@ -25,11 +24,6 @@ pub trait Walking: Trajectory {
     fn events(&self) -> Vec<Event>;
     /// When which point of the soles is planted.
     fn planted(&self, figure: &Figure) -> Vec<Interval>;
-    /// What the ground does to a cane at time `t` (s); none where no hand holds one.
-    fn leant(&self, t: f64) -> Option<Contact> {
-        let _ = t;
-        None
-    }
 }
 
 /// A walk that prescribes all of the ground's force.
@@ -48,7 +42,6 @@ pub(crate) fn sampled(
 ) -> Result<Motion, ReactionError> {
     let mut motion = balanced(figure, walk, fingerprint, rate)?;
     annotate(&mut motion, walk, figure);
-    lean(&mut motion, |time| walk.leant(time));
     Ok(motion)
 }
 
@@ -63,12 +56,6 @@ pub(crate) fn balanced(
     let mut motion = Motion::sample(figure, walk, info)?;
     balance_momentum(figure, walk, &mut motion)?;
     Ok(motion)
-}
-
-/// Notes in the samples of a walk what the ground does to a cane, if a hand holds one and it is known.
-pub(crate) fn lean(motion: &mut Motion, leant: impl Fn(f64) -> Option<Contact>) {
-    let samples: Option<Vec<Contact>> = motion.time().iter().map(|time| leant(*time)).collect();
-    motion.contacts.extend(samples.map(|samples| ContactTrack { link: CANE.to_owned(), samples }));
 }
 
 /// Notes in the samples of a walk when its feet touch and stand.

@@ -56,7 +56,7 @@ export interface WalkOptions {
   /** Numbers of the style by name, in their units: { armSwing: 10 }. */
   style?: Record<string, number>;
   leftFirst?: boolean;
-  /** The part of the weight that the cane of somebody who holds one bears at most (0.15). */
+  /** The part of the whole vertical force that the cane of somebody who holds one bears at most (0.15). */
   caneLoad?: number;
   /** Of a run: on the forefoot, by how much its soles give (m), how it begins and ends. */
   forefoot?: boolean;

@@ -50,7 +50,7 @@ export const LEGS: Field[] = [
   { name: 'shorterLeg.right', label: 'Right leg shorter', unit: 'mm', low: 0, high: 40, step: 1, value: 0, scale: 1e-3 },
 ];
 export const BODY: Field[] = [...LOADS, ...LEGS];
-export const CANE: Field = { name: 'cane_load', label: 'It bears', unit: '% of the weight', low: 0, high: 25, step: 1, value: 15, scale: 0.01 };
+export const CANE: Field = { name: 'cane_load', label: 'It bears', unit: '% of the force', low: 0, high: 25, step: 1, value: 15, scale: 0.01 };
 export const FIELDS: Field[] = [...PACE, TURN, SLOPE, ...STAIRS, ...RUN, ...STYLE, ...DIFFERENCES, ...BODY, CANE];
 
 // Words that may be chosen, and how they are called.

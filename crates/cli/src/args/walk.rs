@@ -249,7 +249,7 @@ pub(crate) struct MannerArgs {
         value_name = "SIDE",
         value_enum,
         hide_possible_values = true,
-        help = "Which foot makes the first step [default: right, the inner one into a turn, the one that a cane helps]"
+        help = wrap("Which foot makes the first step [default: right, the inner one into a turn, the one that a cane helps]")
     )]
     pub(crate) first: Option<Side>,
     #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true,

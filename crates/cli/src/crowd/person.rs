@@ -152,6 +152,7 @@ impl<'a> Crowd<'a> {
                 Some(_) => figure(&args.who)?,
                 None => heading_first(&args.who.person)?,
             };
+            let asked = asked.of(&figure, &args);
             let StyledRequest::Smooth(request) = &asked.request else {
                 return Err(CliError::option(
                     "style",

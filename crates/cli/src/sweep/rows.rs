@@ -81,6 +81,7 @@ impl Walker {
         };
         let walked = || -> Result<_, CliError> {
             let (asked, figure) = (asked(&args)?, figure(&args.who)?);
+            let asked = asked.of(&figure, &args);
             let metrics = match metrics_of(&figure, &asked.request, self.rate) {
                 Err(error) if error.turns_too_far() && args.who.figure.is_none() => {
                     metrics_of(&heading_first(&args.who.person)?, &asked.request, self.rate)

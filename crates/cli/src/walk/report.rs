@@ -50,6 +50,16 @@ pub(crate) struct Person {
     pub(crate) cane: Option<CaneReport>,
 }
 
+impl Person {
+    /// Of a figure so tall (m), whose hands carry so much (kg), as it walks.
+    fn of(figure: &Figure, height_m: f64, carried: f64, motion: &Motion) -> Self {
+        let cane = CaneReport::of(figure, motion);
+        let held = cane.as_ref().map_or(0.0, |cane| cane.mass_kg);
+        let carried_kg = Some(carried).filter(|carried| *carried > 0.0);
+        Self { height_m, mass_kg: figure.mass() - carried - held, carried_kg, cane }
+    }
+}
+
 /// The cane in a hand.
 #[derive(Debug, Serialize)]
 pub(crate) struct CaneReport {
@@ -158,8 +168,6 @@ impl Report {
             planning,
             solving,
         } = planned;
-        let cane = CaneReport::of(figure, motion);
-        let held = cane.as_ref().map_or(0.0, |cane| cane.mass_kg);
         let mass = figure.mass();
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
@@ -206,12 +214,7 @@ impl Report {
         let WalkMeasures { steps, distance, duration, double_supports, extremes, joints, steady } = measures;
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            person: Person {
-                height_m: height,
-                mass_kg: mass - carried - held,
-                carried_kg: Some(carried).filter(|carried| *carried > 0.0),
-                cane,
-            },
+            person: Person::of(figure, height, carried, motion),
             walk: Walk {
                 style: plan.style_name(),
                 repeats,

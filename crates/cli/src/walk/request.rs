@@ -31,6 +31,16 @@ pub(crate) struct Asked {
     origins: Vec<Vec<Option<String>>>,
 }
 
+impl Asked {
+    /// Of a figure: unless something else is asked for, the foot that its cane helps goes first.
+    pub(crate) fn of(self, figure: &Figure, args: &WalkArgs) -> Self {
+        if args.manner.first.is_some() {
+            return self;
+        }
+        Self { request: self.request.helped_foot_first(figure), ..self }
+    }
+}
+
 /// What is asked of the walk.
 pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     check(args)?;
@@ -52,8 +62,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     }
     let path = args.changes.path.as_deref().map(path::read).transpose()?;
     let turn = value(args.changes.turn.as_ref()).unwrap_or_default().to_radians();
-    // The inner foot opens a turn, and the one that a cane helps goes with it.
-    let helped = args.who.person.cane.map(|hand| if hand == Side::Left { Side::Right } else { Side::Left });
+    // The inner foot opens a turn.
     let inner = if turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0) {
         Side::Left
     } else {
@@ -71,7 +80,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         turn,
         backward: args.changes.backward,
         path,
-        left_first: args.manner.first.or(helped).unwrap_or(inner) == Side::Left,
+        left_first: args.manner.first.unwrap_or(inner) == Side::Left,
         parameters,
         ..WalkRequest::default()
     };

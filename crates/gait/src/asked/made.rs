@@ -44,7 +44,8 @@ impl GaitOptions {
             let (plan, in_part) = StyledPlan::as_far_as_it_holds(figure, request)?;
             if let Some((part, why)) = in_part {
                 notes.push(format!(
-                    "{part} of the manner and of the variability is walked, for all of it would not hold: {why}"
+                    "{:.0} % of the manner and of the variability are walked, for all of them would not hold: {why}",
+                    100.0 * part
                 ));
             }
             Ok::<_, GaitError>(plan)

@@ -69,7 +69,7 @@ pub struct GaitOptions {
     pub style: BTreeMap<String, f64>,
     /// Whether the left foot makes the first step; else the right one, the inner one of a turn, or the one that a cane helps.
     pub left_first: Option<bool>,
-    /// The part of the weight that the cane of a figure that holds one bears at most.
+    /// The part of the whole vertical force that the cane of a figure that holds one bears at most.
     pub cane_load: Option<f64>,
     /// Whether a run lands on the forefoot.
     pub forefoot: bool,

@@ -21,7 +21,7 @@ impl GaitOptions {
     /// where the present value, or the usual one of a number that is left out, is accepted, the interval about it; else the nearest one; none where
     /// nothing is accepted.
     ///
-    /// `field` is `step_frequency`, `step_length`, `speed`, `turn`, `slope`, `variability`, `stairs.rise`, `stairs.tread`, or a number of the style
+    /// `field` is `step_frequency`, `step_length`, `speed`, `turn`, `slope`, `variability`, `cane_load`, `stairs.rise`, `stairs.tread`, or a number of the style
     /// by its name (`arm_swing`, `arm-swing` or `style.arm_swing`).
     ///
     /// It is the planner's own judgement, no table: both ends were planned whole and hold, and what is a 500th of the number's declared

@@ -2,7 +2,6 @@
 
 use super::options::{GaitKind, GaitOptions, PartOptions, RunEndOptions, RunWalkOptions, StairOptions};
 use super::stages::{Next, Staged, stages};
-use crate::body::helped_side;
 use crate::error::{GaitError, RequestError};
 use crate::request::{
     DEFAULT_RUN_SPEED, Extent, Foothold, Population, RunEnd, RunPart, RunRequest, RunWalk, Stairs,
@@ -32,7 +31,7 @@ impl GaitOptions {
         Ok(match (self.gait, self.determinants) {
             (GaitKind::Run, _) => alone(StyledRequest::Run(self.run()?)),
             (GaitKind::Walk, Some(count)) => alone(StyledRequest::Thesis(self.thesis(count, figure)?)),
-            (GaitKind::Walk, None) => self.walk(helped_side(figure).map(|side| side == 0))?,
+            (GaitKind::Walk, None) => self.walk(figure)?,
         })
     }
 
@@ -172,8 +171,7 @@ impl GaitOptions {
         })
     }
 
-    /// A walk of somebody whose left foot, or right one, is helped by a cane.
-    fn walk(&self, left_helped: Option<bool>) -> Result<Staged, RequestError> {
+    fn walk(&self, figure: &Figure) -> Result<Staged, RequestError> {
         let open = self.step_frequency.or(self.step_length).or(self.speed).is_none();
         let ground = self.on()?;
         let usual = ground.usual_step_frequency();
@@ -191,7 +189,7 @@ impl GaitOptions {
             backward: self.backward,
             ground,
             path,
-            left_first: self.left_first.or(left_helped).unwrap_or(inner),
+            left_first: self.left_first.unwrap_or(inner),
             cane_load: self.cane_load,
             parameters: self.numbers(&PARAMETERS.iter().map(|parameter| parameter.name))?,
             population: self.population.as_deref().map_or(Ok(Population::default()), population)?,
@@ -200,6 +198,7 @@ impl GaitOptions {
             variability: self.variability.map(|scale| Variability { scale, seed: self.seed }),
             ..WalkRequest::default()
         };
+        let first = if self.left_first.is_none() { first.helped_foot_first(figure) } else { first };
         let next: Vec<Next> = self.then.iter().map(next).collect::<Result<_, _>>()?;
         stages(&first, &next)
     }

@@ -3,7 +3,7 @@
 use super::posture::ArmCarriage;
 use super::rotations::{self, Euler};
 use super::segments::{Body, Cane};
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 use solaris_model::Figure;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -15,7 +15,8 @@ const BEGINS: Vector2<f64> = Vector2::new(0.25, -0.6);
 const PASSES: usize = 12;
 const DIFFERENCE: f64 = 1e-7;
 
-/// The side, left 0 or right 1, of the foot that the cane of a figure helps, if it holds one: the other side than its hand's.
+/// The side, left 0 or right 1, of the foot that the cane of a figure helps: the other side than its hand's. None where it holds none that the walker
+/// knows what to do with.
 pub fn helped_side(figure: &Figure) -> Option<usize> {
     Some(1 - Cane::of(figure).ok()??.side)
 }
@@ -35,13 +36,13 @@ impl Cane {
     }
 
     /// The arm that holds it with its tip there, against the pelvis' origin of a body that faces along z: the fist is as far from the tip as the
-    /// cane is long, and seen from the side on the way from the shoulder to the tip, so that what the cane bears goes through the shoulder:
+    /// cane is long, and seen from the side on the way from the shoulder to the tip, so that what the cane bears bends it neither forward nor backward:
     ///
     /// ```text
     /// |f − p| = L        ((f − s) × (p − s))·x = 0
     /// ```
     ///
-    /// A fist that does not come so near has what comes nearest.
+    /// Where no fist comes so near the arm is any.
     pub(crate) fn hold(
         &self,
         body: &Body,
@@ -61,9 +62,9 @@ impl Cane {
         for _ in 0..PASSES {
             let missed = misses(arm);
             let column = |along: Vector2<f64>| (misses(arm + along * DIFFERENCE) - missed) / DIFFERENCE;
-            let slopes = Matrix2::from_columns(&[column(Vector2::x()), column(Vector2::y())]);
-            let Some(step) = slopes.lu().solve(&missed) else { break };
-            let next = arm - step;
+            let (a, b) = (column(Vector2::x()), column(Vector2::y()));
+            // By Cramer's rule.
+            let next = arm - Vector2::new(missed.perp(&b), a.perp(&missed)) / a.perp(&b);
             let next = Vector2::new(next.x.clamp(SHOULDER.0, SHOULDER.1), next.y.clamp(ELBOW.0, ELBOW.1));
             let moved = (next - arm).amax();
             arm = next;
@@ -99,7 +100,7 @@ impl Cane {
         below * carriage.abduction.tan()
     }
 
-    /// Where its shoulder is, against the pelvis' origin.
+    /// Where its shoulder is, against the pelvis' origin, of an arm that hangs.
     pub(crate) fn shoulder(&self, body: &Body, trunk: &[Euler; 5]) -> Vector3<f64> {
         let [pelvis, abdomen, thorax] = [0, 1, 2].map(|i| rotations::matrix(trunk[i]));
         let [clavicle, upper_arm, ..] = body.arms[self.side].map(|segment| segment.offset);

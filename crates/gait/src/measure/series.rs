@@ -37,8 +37,11 @@ impl<'a> Series<'a> {
         let tree = Tree::<f64>::new(figure, motion.info.gravity)?;
         let mut workspace = Workspace::new(&tree);
         let (mut com, mut poses) = (Vec::new(), Vec::new());
-        let soled: Vec<usize> =
-            (0..figure.links().len()).filter(|&link| !figure.links()[link].sole().is_empty()).collect();
+        let stands = |link: &usize| {
+            let planted = || motion.planted.iter().any(|planted| planted.link == *link);
+            !figure.links()[*link].sole().is_empty() || planted()
+        };
+        let soled: Vec<usize> = (0..figure.links().len()).filter(stands).collect();
         let places = (0..figure.links().len()).map(|link| soled.iter().position(|&s| s == link)).collect();
         for i in 0..motion.len() {
             com.push(center_of_mass(&tree, &mut workspace, motion.q(i))?);
@@ -69,7 +72,7 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// A point of a link with a sole, in the world.
+    /// A point of a link with a sole, or of one that is planted, in the world.
     pub(super) fn place(&self, sample: usize, link: usize, point: &Vector3<f64>) -> Option<Vector3<f64>> {
         self.places[link].map(|place| self.poses[sample * self.posed + place].transform(point))
     }

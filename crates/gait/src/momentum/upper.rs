@@ -1,4 +1,4 @@
-//! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
+//! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass, but where an arm follows a cane.
 
 use super::parts::Parts;
 use crate::body::Cane;
@@ -34,31 +34,32 @@ impl UpperBody {
         angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
         cane: impl Fn(usize) -> [f64; 2],
     ) -> Self {
+        let postures = (0..grid.count).map(|i| {
+            let (trunk, arms, heading) = angles(i);
+            let ahead = posture(body, &trunk, &arms, cane(i), carriage(i));
+            if heading == 0.0 {
+                return ahead;
+            }
+            let turn = rotations::about_y(heading);
+            ahead.map(|(rotation, com)| (turn * rotation, turn * com))
+        });
+        Self::of(body, grid, &postures.collect::<Vec<_>>())
+    }
+
+    /// The same of postures, compiled once for all who have them.
+    fn of(body: &Body, grid: &Grid, postures: &[Parted]) -> Self {
         let segments = segments(body);
-        let postures: Vec<_> = (0..grid.count)
-            .map(|i| {
-                let (trunk, arms, heading) = angles(i);
-                let ahead = posture(body, &trunk, &arms, cane(i), carriage(i));
-                if heading == 0.0 {
-                    return ahead;
-                }
-                let turn = rotations::about_y(heading);
-                ahead.map(|(rotation, com)| (turn * rotation, turn * com))
-            })
-            .collect();
-        let parts = (0..grid.count)
-            .map(|i| {
-                let mut sum = Parts::default();
-                for (s, segment) in segments.iter().enumerate() {
-                    let (rotation, com) = postures[i][s];
-                    let rotation_rate = grid.first(i, |j| postures[j][s].0);
-                    let com_rate = grid.first(i, |j| postures[j][s].1);
-                    sum.add(segment, &rotation, &rotation_rate, &com, &com_rate);
-                }
-                sum
-            })
-            .collect();
-        Self { pelvis: postures.iter().map(|posture| posture[0].0).collect(), parts }
+        let parts = (0..grid.count).map(|i| {
+            let mut sum = Parts::default();
+            for (s, segment) in segments.iter().enumerate() {
+                let (rotation, com) = postures[i][s];
+                let rotation_rate = grid.first(i, |j| postures[j][s].0);
+                let com_rate = grid.first(i, |j| postures[j][s].1);
+                sum.add(segment, &rotation, &rotation_rate, &com, &com_rate);
+            }
+            sum
+        });
+        Self { parts: parts.collect(), pelvis: postures.iter().map(|posture| posture[0].0).collect() }
     }
 
     /// The pelvis' orientation at a node.
@@ -92,6 +93,9 @@ fn segments(body: &Body) -> Vec<&Segment> {
     body.middle.iter().chain(body.arms.iter().flatten()).chain(cane).collect()
 }
 
+/// Rotations and centres of mass of what [`posture`] tells of.
+type Parted = [(Matrix3<f64>, Vector3<f64>); 14];
+
 /// Rotations of pelvis … head, of both arms and of a cane, and their centres of mass against the pelvis' origin, facing along z.
 fn posture(
     body: &Body,
@@ -99,7 +103,7 @@ fn posture(
     arms: &[[f64; 2]; 2],
     cane: [f64; 2],
     carriage: ArmCarriage,
-) -> [(Matrix3<f64>, Vector3<f64>); 14] {
+) -> Parted {
     let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 14];
     let rotations = trunk.map(rotations::matrix);
     let mut origin = Vector3::zeros();

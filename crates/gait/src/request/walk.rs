@@ -7,8 +7,9 @@ use super::population::Population;
 use super::resolution::Resolution;
 use super::sheet::StyleSheet;
 use super::variability::Variability;
+use crate::body::helped_side;
 use crate::error::RequestError;
-use solaris_model::RootOrder;
+use solaris_model::{Figure, RootOrder};
 
 /// Numbers of steps.
 pub const STEPS: (usize, usize) = (1, 10_000);
@@ -22,9 +23,9 @@ pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Steps of a walk that changes on the way: it is planned whole.
 pub const CHANGING_STEPS: usize = 1000;
 
-/// The part of the weight that a cane bears at most if it is not said.
+/// The part of the whole vertical force that a cane bears at most if it is not said.
 pub const CANE_LOAD: f64 = 0.15;
-/// What it may be: people bear 0.1 to 0.2 on a cane, and a quarter if they have to.
+/// What it may be: people bear 0.1 to 0.2 of their weight on a cane, and a quarter if they have to.
 pub const CANE_LOADS: (f64, f64) = (0.0, 0.25);
 
 /// Refuses a turn (rad) before which the angles of the body's root are singular.
@@ -104,8 +105,8 @@ pub struct WalkRequest {
     /// What is different of the left and of the right side: the step length and the step frequency of the step that is taken while that
     /// foot stands, the arm swing of its arm, and the rest from the foot's landing to the other's. The mean pace stays as it is asked.
     pub sides: [StyleSheet; 2],
-    /// The part of the weight that a cane bears at most, by a figure that holds one; [`CANE_LOAD`] if it is not said. It helps the foot of the other
-    /// side, which best goes first.
+    /// The part of the whole vertical force that a cane bears at most, of a figure that holds one; [`CANE_LOAD`] if it is not said. It helps the foot of
+    /// the other side, which best goes first ([`Self::helped_foot_first`]): before its first step it has no help.
     pub cane_load: Option<f64>,
     /// How steps differ; `None`: not at all.
     pub variability: Option<Variability>,
@@ -114,6 +115,13 @@ pub struct WalkRequest {
 }
 
 impl WalkRequest {
+    /// The same with that foot first that the cane of a figure helps, if it holds one.
+    #[must_use]
+    pub fn helped_foot_first(self, figure: &Figure) -> Self {
+        let left_first = helped_side(figure).map_or(self.left_first, |side| side == 0);
+        Self { left_first, ..self }
+    }
+
     /// Whether it is walked in a manner, unevenly, or otherwise left than right.
     pub(crate) fn deviates(&self) -> bool {
         !self.sheet.is_empty() || self.is_uneven()

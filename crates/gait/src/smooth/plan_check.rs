@@ -97,7 +97,7 @@ impl PlanCheck<'_> {
     /// The prescribed forces press, and need no more friction than soles have.
     fn check_forces(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let (_, (first, last)) = plan.nodes();
-        let (mut total, mut single) = ((0.0_f64, first), (0.0_f64, first));
+        let [mut total, mut single, mut cane] = [(0.0_f64, first); 3];
         for node in first..=last {
             let feet = plan.forces(node);
             let force = feet[0].force + feet[1].force;
@@ -123,9 +123,14 @@ impl PlanCheck<'_> {
                     if plan.is_level() { friction(&foot.force) } else { friction_on(&foot.force, normal) };
                 worse(&mut single, friction);
             }
+            let on_cane = plan.cane(plan.clock(node)).unwrap_or_default().force;
+            if on_cane.y > 0.0 {
+                worse(&mut cane, friction(&on_cane));
+            }
         }
-        for (whose, (friction, node), limit) in [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1)]
-        {
+        let limits =
+            [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1), ("the cane's", cane, FRICTION.0)];
+        for (whose, (friction, node), limit) in limits {
             if friction.is_nan() || friction > limit {
                 let pace = self.route.pace();
                 let error = PlanError::Friction {

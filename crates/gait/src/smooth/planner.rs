@@ -3,7 +3,7 @@
 use crate::body::{Body, LegGeometry};
 use crate::error::{BodyError, GaitError, PlanError, RequestError};
 use crate::request::pace::{Pace, STEP_FREQUENCY, range};
-use crate::request::{CANE_LOAD, CANE_LOADS, Extent, STEPS, WalkGround, WalkRequest};
+use crate::request::{CANE_LOADS, Extent, STEPS, WalkGround, WalkRequest};
 use crate::smooth::distance::to_distance;
 use crate::smooth::lopsided::{is_lopsided, legs_differ};
 use crate::smooth::plan_check::{FINE_RATE, FINER_RATE, FINEST_RATE, PlanCheck, not_walkable};
@@ -282,21 +282,19 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// What a cane bears at most, over the weight.
-    fn cane_load(&self, request: &WalkRequest) -> Result<f64, GaitError> {
+    /// Refuses ground that nobody with a cane walks on, and what a cane cannot bear.
+    fn check_cane(&self, request: &WalkRequest) -> Result<(), GaitError> {
         let holds = self.body.cane.is_some();
         if holds && request.ground != WalkGround::Level {
             return Err(BodyError::HoldsCane { figure: self.figure.name().to_owned() }.into());
         }
         match request.cane_load {
             Some(_) if !holds => Err(RequestError::NoCane.into()),
-            load => {
-                let load = load.unwrap_or(CANE_LOAD);
-                range("cane load", load, " of the weight", CANE_LOADS, || {
-                    "; wrists do not bear more".to_owned()
-                })?;
-                Ok(load)
+            Some(load) => {
+                let why = || "; wrists do not bear more".to_owned();
+                Ok(range("cane load", load, " of the vertical force", CANE_LOADS, why)?)
             }
+            None => Ok(()),
         }
     }
 
@@ -310,7 +308,7 @@ impl<'a> Planner<'a> {
     ) -> Result<WalkPlan, GaitError> {
         let mut styling = Styling::of(request, self.body, part);
         styling.has_steady = has_steady;
-        let numbers = &WalkNumbers { cane_load: self.cane_load(request)?, ..*numbers };
+        self.check_cane(request)?;
         let planned = |route: &Route| {
             route.plan(self.body, self.standing, &styling, numbers, request.left_first, request.resolution)
         };

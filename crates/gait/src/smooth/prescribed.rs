@@ -79,15 +79,15 @@ impl PrescribedNode {
     }
 
     /// What the ground does to a cane.
-    pub(crate) fn leant(&self) -> Contact {
+    fn cane_contact(&self) -> Contact {
         self.cane.map_or_else(Contact::default, |cane| cane.contact(self.vertical))
     }
 
     /// Each foot's part of the rest: forces that point at `pivot` times the height of the centre of mass.
     pub(crate) fn feet(&self, pivot: f64) -> [Contact; 2] {
-        let (mut rest, leant) = (self.total(pivot), self.leant());
-        rest.force -= leant.force;
-        rest.moment -= leant.moment;
+        let (mut rest, cane) = (self.total(pivot), self.cane_contact());
+        rest.force -= cane.force;
+        rest.moment -= cane.moment;
         split_at_pivot(&rest, &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
     }
 

@@ -25,6 +25,17 @@ pub enum WalkSegment {
     Stand(f64),
 }
 
+impl WalkSegment {
+    /// See [`WalkRequest::helped_foot_first`].
+    #[must_use]
+    pub fn helped_foot_first(self, figure: &Figure) -> Self {
+        match self {
+            Self::Walk(request) => Self::Walk(request.helped_foot_first(figure)),
+            Self::Stand(time) => Self::Stand(time),
+        }
+    }
+}
+
 /// Walks and standing still, one after the other: each walk begins where and as the one before has ended.
 ///
 /// ```
@@ -151,6 +162,11 @@ impl SupportLaw for WalkSequence {
         let (walk, time) = self.at(t);
         SupportLaw::support(walk, time)
     }
+
+    fn beside(&self, t: f64) -> Option<(&str, Contact)> {
+        let (walk, time) = self.at(t);
+        walk.beside(time)
+    }
 }
 
 impl Walking for WalkSequence {
@@ -176,10 +192,5 @@ impl Walking for WalkSequence {
             }
         }
         all
-    }
-
-    fn leant(&self, t: f64) -> Option<Contact> {
-        let (walk, time) = self.at(t);
-        walk.leant(time)
     }
 }

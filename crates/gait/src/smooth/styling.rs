@@ -8,7 +8,7 @@ use crate::request::pace::{Pace, StepLaw};
 use crate::request::population::heaviness;
 use crate::request::sheet::{CADENCE, STEP_LENGTH};
 use crate::request::variability::Chance;
-use crate::request::{Population, StyleSheet, Variability, WalkRequest};
+use crate::request::{CANE_LOAD, Population, StyleSheet, Variability, WalkRequest};
 use crate::smooth::manner::Manner;
 use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::style::{Style, StyleTable};
@@ -86,6 +86,8 @@ pub(crate) struct Styling<'a> {
     sides: [StyleSheet; 2],
     parameters: &'a [(&'static str, f64)],
     variability: Option<Variability>,
+    /// What a cane bears at most, over the vertical force.
+    pub(crate) cane_load: f64,
     /// Whether the body is heavier on one side.
     is_lopsided: bool,
 }
@@ -104,6 +106,7 @@ impl<'a> Styling<'a> {
             sides,
             parameters: &request.parameters,
             variability: variability.filter(|v| v.scale > 0.0),
+            cane_load: request.cane_load.unwrap_or(CANE_LOAD),
             is_lopsided: lopsided::is_lopsided(body),
         }
     }

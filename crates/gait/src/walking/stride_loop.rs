@@ -1,6 +1,6 @@
 //! One stride of a walk, exactly as long as it is, to be repeated for ever: what games ask for.
 
-use super::{Prescribing, Walking, lean};
+use super::{Prescribing, Walking};
 use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
 use solaris_model::{Contact, Figure, Motion, MotionError, MotionInfo, Trajectory};
@@ -98,6 +98,12 @@ impl<W: Walking + SupportLaw> SupportLaw for StrideLoop<'_, W> {
         support.feet.iter_mut().for_each(|foot| foot.cop.z += advance);
         support
     }
+
+    fn beside(&self, t: f64) -> Option<(&str, Contact)> {
+        let (time, advance) = self.fold(t);
+        let (link, contact) = self.walk.beside(time)?;
+        Some((link, ahead(&contact, advance)))
+    }
 }
 
 impl<W: Walking + Prescribing> Prescribing for StrideLoop<'_, W> {
@@ -126,10 +132,6 @@ impl<W: Walking> StrideLoop<'_, W> {
     pub fn balanced_motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         let mut motion = self.motion(figure, rate)?;
         balance_momentum(figure, self, &mut motion)?;
-        lean(&mut motion, |time| {
-            let (time, advance) = self.fold(time);
-            self.walk.leant(time).map(|contact| ahead(&contact, advance))
-        });
         Ok(motion)
     }
 }

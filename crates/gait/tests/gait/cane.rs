@@ -4,8 +4,8 @@
 use super::load::walked;
 use super::random::Random;
 use solaris_gait::{
-    CANE, CANE_LOADS, ChairRequest, Extent, FEET, FRICTION, RunRequest, WalkGround, WalkRequest, Walker,
-    chair, helped_side, measure, run, walk,
+    CANE, CANE_LOADS, ChairRequest, Extent, FEET, FRICTION, RunRequest, WalkGround, WalkRequest, WalkSegment,
+    WalkSequence, Walker, chair, helped_side, measure, run, walk,
 };
 use solaris_model::{Figure, Human, Motion, RootOrder, Trajectory, Vector3};
 
@@ -57,10 +57,23 @@ fn whoever_walks_with_a_cane_obeys_the_laws() {
         let mut most = 0.0_f64;
         for (frame, contact) in track.samples.iter().enumerate() {
             let [fist, tip] = cane(&figure, &motion, frame);
-            assert!((fist - tip).norm() - length < 1e-9 && tip.y > -1e-9, "{who}");
+            let law = plan.cane(plan.clock_at(motion.time()[frame])).expect("a cane");
+            assert!(law.force == Vector3::zeros() || (law.cop - tip).norm() < 1e-9, "{who}: {tip}");
+            // Seen from the side the fist is between shoulder and tip, unless it is out of reach.
+            assert!(((fist - tip).norm() - length).abs() < 1e-12 && tip.y > -1e-9, "{who}");
+            let [shoulder, thorax] = ["upper_arm", "thorax"].map(|name| {
+                let name = if name == "thorax" { name.to_owned() } else { format!("{hand}_{name}") };
+                figure.places(motion.q(frame))[figure.link_index(&name).expect("a link")]
+            });
+            let aside = thorax.rotation * Vector3::x();
+            let from = shoulder.translation.vector;
+            let across = (fist - from).cross(&(tip - from)).dot(&aside);
+            assert!(across.abs() < 1e-9, "{who}: {across}");
             if contact.force == Vector3::zeros() {
                 continue;
             }
+            let tilted = contact.force.x.hypot(contact.force.z) / contact.force.y;
+            assert!(tilted < FRICTION.0, "{who}: {tilted}");
             // Along the cane, at its tip on the ground.
             assert!((contact.cop - tip).norm() < 1e-9 && tip.y < 1e-9, "{who}: {tip}");
             assert!(contact.force.cross(&(fist - tip)).norm() < 1e-7 * contact.force.norm(), "{who}");
@@ -82,14 +95,8 @@ fn whoever_walks_with_a_cane_obeys_the_laws() {
     }
 }
 
-#[test]
-fn the_ground_carries_the_body_with_its_cane() {
-    let figure = walker(1.75, "left");
-    let plan = walk(&figure, &request(&figure, 90.0)).expect("a walk");
-    // At the nodes' own distance, at which the plan is differenced.
-    let mut motion = plan.motion(&figure, 1.0 / plan.resolution()).expect("sampled");
-    solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
-    // By the body's own momentum, of all its links: m c̈ = F + m g.
+/// By how much (N) feet and cane miss what the body's own momentum asks for, m c̈ = F + m g, at a motion's samples.
+fn unbalanced(figure: &Figure, motion: &Motion) -> f64 {
     let com = |frame: usize| {
         let places = figure.places(motion.q(frame));
         let of = |(link, place): (&solaris_model::Link, &solaris_model::Isometry3<f64>)| {
@@ -97,14 +104,64 @@ fn the_ground_carries_the_body_with_its_cane() {
         };
         figure.links().iter().zip(&places).map(of).sum::<Vector3<f64>>()
     };
-    let rate = motion.info.rate;
-    let weight = figure.mass() * motion.info.gravity;
-    for frame in (3..motion.len() - 3).step_by(7) {
-        let seven = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
+    let (rate, weight) = (motion.info.rate, figure.mass() * motion.info.gravity);
+    let seven = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
+    let at = |frame: usize| {
         let sum: Vector3<f64> = seven.iter().zip(frame - 3..).map(|(w, at)| com(at) * *w).sum();
-        let beside = (sum * (rate * rate / 180.0) - weight - force(&motion, frame)).norm();
-        assert!(beside < 1e-6 * weight.norm(), "{beside} N at {frame}");
+        (sum * (rate * rate / 180.0) - weight - force(motion, frame)).norm()
+    };
+    (3..motion.len() - 3).step_by(7).map(at).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_ground_carries_the_body_with_its_cane() {
+    let figure = walker(1.75, "left");
+    let usual = || request(&figure, 90.0);
+    let limp = solaris_gait::side_sheet_of("limp").expect("a manner");
+    for (name, asked) in [
+        ("straight on", usual()),
+        ("the other foot first", WalkRequest { left_first: !usual().left_first, ..usual() }),
+        ("in a bend", WalkRequest { turn: -0.25, extent: Extent::Steps(7), ..usual() }),
+        ("repeated", WalkRequest { extent: Extent::Steps(50), ..usual() }),
+        ("backward", WalkRequest { backward: true, extent: Extent::Steps(4), ..usual() }),
+        ("a limp", WalkRequest { sides: [Default::default(), limp], ..usual() }),
+        ("one step", WalkRequest { extent: Extent::Steps(1), ..usual() }),
+    ] {
+        let plan = walk(&figure, &asked).unwrap_or_else(|error| panic!("{name}: {error}"));
+        // At the nodes' own distance, at which the plan is differenced.
+        let mut motion = plan.motion(&figure, 1.0 / plan.resolution()).expect("sampled");
+        solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
+        let beside = unbalanced(&figure, &motion);
+        assert!(beside < 1e-5, "{name}: {beside} N");
+        assert_eq!(motion.contacts.len(), 3, "{name}");
     }
+}
+
+#[test]
+fn a_stride_with_a_cane_repeats_itself_and_walks_follow_each_other() {
+    let figure = walker(1.75, "right");
+    let long = WalkRequest { extent: Extent::Steps(42), ..request(&figure, 90.0) };
+    let plan = walk(&figure, &long).expect("a walk");
+    let stride = plan.stride_loop().expect("a stride");
+    let mut motion = stride.balanced_motion(&figure, 120.0).expect("sampled");
+    let report = solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &stride).expect("forces");
+    assert!(report.from_prescribed.expect("prescribed").value < 0.02 * plan.weight(), "{report:?}");
+    let bears = motion.contacts.iter().find(|track| track.link == CANE).expect("a cane");
+    let most = bears.samples.iter().map(|cane| cane.force.y).fold(0.0, f64::max);
+    assert!(most > 0.12 * plan.weight(), "{most}");
+
+    let short = WalkRequest { extent: Extent::Steps(3), ..request(&figure, 90.0) };
+    let segments = [WalkSegment::Walk(short.clone()), WalkSegment::Stand(0.5), WalkSegment::Walk(short)];
+    let journey = WalkSequence::new(&figure, &segments).expect("two walks");
+    let mut motion = journey.motion(&figure, 240.0).expect("sampled");
+    solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &journey).expect("forces");
+    let tips: Vec<_> = (0..motion.len()).map(|frame| cane(&figure, &motion, frame)[1]).collect();
+    let jump = tips.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, f64::max);
+    assert!(jump < 0.03, "{jump} m in a frame");
+    // Standing in between nothing moves, and nothing rests on it.
+    let stands =
+        motion.time().partition_point(|time| *time < journey.walks().next().expect("one").duration());
+    assert!((tips[stands] - tips[stands + 60]).norm() < 1e-9);
 }
 
 #[test]
@@ -167,7 +224,7 @@ fn what_a_cane_cannot_do_is_refused() {
     let usual = || request(&figure, 90.0);
     for load in [-0.01, 0.26, f64::NAN] {
         let error = refused(WalkRequest { cane_load: Some(load), ..usual() });
-        assert!(error.contains("cane load") && error.contains("0 to 0.25"), "{error}");
+        assert!(error.contains("cane load") && error.contains("0 to 0.25 of the vertical force"), "{error}");
     }
     for load in [CANE_LOADS.0, CANE_LOADS.1] {
         assert!(walk(&figure, &WalkRequest { cane_load: Some(load), ..usual() }).is_ok());
@@ -191,24 +248,39 @@ fn what_a_cane_cannot_do_is_refused() {
 
 #[test]
 fn many_with_a_cane_obey_the_laws() {
-    let mut random = Random(7);
-    let (mut held, all) = (0, 40);
+    let held = held_of(40, 7);
+    assert!(held >= 34, "{held} of 40");
+}
+
+/// What docs/manners.md says of it.
+#[test]
+#[ignore = "takes minutes"]
+fn hundreds_with_a_cane_obey_the_laws() {
+    println!("{} of 400 are walked", held_of(400, 1));
+}
+
+/// How many random walks of so many are walked, of which none breaks a law.
+fn held_of(all: usize, seed: u64) -> usize {
+    let mut random = Random(seed);
+    let mut held = 0;
     for i in 0..all {
         let hand = if random.often(0.5) { "left" } else { "right" };
-        let figure = walker(random.within(1.3, 1.95), hand);
-        let turn = if random.often(0.5) { 0.0 } else { random.within(-0.3, 0.3) };
+        let figure = walker(random.within(1.1, 2.0), hand);
+        let turn = if random.often(0.5) { 0.0 } else { random.within(-0.35, 0.35) };
+        let usual = request(&figure, random.within(60.0, 120.0));
         let asked = WalkRequest {
             turn,
-            extent: Extent::Steps(1 + random.pick(12)),
+            extent: Extent::Steps(1 + random.pick(14)),
             cane_load: Some(random.within(0.0, 0.25)),
-            ..request(&figure, random.within(62.0, 112.0))
+            left_first: usual.left_first ^ random.often(0.2),
+            ..usual
         };
         let Ok(plan) = walk(&figure, &asked) else { continue };
         held += 1;
-        let mut motion = plan.motion(&figure, 480.0).expect("sampled");
+        let mut motion = plan.motion(&figure, 960.0).expect("sampled");
         solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
         let found = measure(&figure, &motion).expect("measured").extremes;
-        assert!(found.cop_outside.value < 5.5e-3 && found.slide.value < 1e-4, "{i}, {asked:?}: {found:?}");
+        assert!(found.cop_outside.value < 5.2e-3 && found.slide.value < 1e-4, "{i}, {asked:?}: {found:?}");
     }
-    assert!(held >= 34, "{held} of {all}");
+    held
 }

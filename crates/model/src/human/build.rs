@@ -222,7 +222,6 @@ impl Side<'_> {
                 kind: ShapeKind::Capsule { radius: CANE_RADIUS, length },
                 placement: Isometry3::translation(0.0, -0.5 * length, 0.0),
             })
-            .sole(SolePart::ToeTip, tip)
             .tip(tip)
     }
 

@@ -258,6 +258,8 @@ impl SceneReader<'_> {
             self.reader.fault(node.place(), message);
             return None;
         }
+        let segments: Vec<WalkSegment> =
+            segments.into_iter().map(|segment| segment.helped_foot_first(figure)).collect();
         let plan = WalkSequence::new(figure, &segments);
         let plan = plan.map_err(|error| match fields.get("ground").filter(|_| is_of_ground(&error)) {
             Some(ground) => self.reader.fault(ground.place(), reason(&error).to_string()),

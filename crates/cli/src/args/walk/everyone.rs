@@ -34,7 +34,7 @@ pub(crate) struct EveryoneArgs {
     ))]
     pub(crate) right: Option<String>,
     #[arg(long, value_name = "PART", allow_hyphen_values = true, help = wrap(&format!(
-        "Of somebody with a cane: the part of the weight that it bears at most, {} to {} [default: {CANE_LOAD}]", CANE_LOADS.0, CANE_LOADS.1
+        "Of somebody with a cane: the part of the whole vertical force that it bears at most, {} to {} [default: {CANE_LOAD}]", CANE_LOADS.0, CANE_LOADS.1
     )))]
     pub(crate) cane_load: Option<super::Number>,
     #[arg(

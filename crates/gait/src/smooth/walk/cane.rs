@@ -1,7 +1,8 @@
 //! A cane on the way: where its tip stands, and what it bears.
 //!
 //! It goes with the foot of the other side, as people are taught to: it is set down as that foot lands, bears some of the weight while the foot
-//! stands alone, and goes on as the foot lifts. What it bears is a part of the whole vertical force, along the cane.
+//! stands alone, and goes on as the foot lifts. What it bears is a part of the whole vertical force, along the cane. Before the first step of that foot
+//! it bears nothing.
 
 use super::course::{Course, Kind, Print};
 use super::standing::Standing;
@@ -17,10 +18,10 @@ const LIFTS: f64 = 0.56;
 const FIRST_WAY: f64 = 0.45;
 /// How high it is lifted (m, likewise).
 const HEIGHT: f64 = 0.04;
-/// When what it bears rises and falls, on the clock of its foot: begin and duration (u); and where the walk ends, so that it bears nothing any more
-/// as the other foot closes.
+/// When what it bears rises, as the other foot lifts, and falls, as it lands, on the clock of its foot: begin and duration (u); and where the walk ends,
+/// so that it bears nothing any more as the other foot closes.
 const RISES: (f64, f64) = (0.0, 0.14);
-const FALLS: (f64, f64) = (0.41, 0.15);
+const FALLS: (f64, f64) = (0.42, 0.14);
 const FALLS_LAST: (f64, f64) = (0.35, 0.15);
 
 /// The tip on one place.
@@ -57,7 +58,7 @@ pub(super) fn stands(course: &Course, side: usize) -> impl Iterator<Item = (f64,
 }
 
 impl CaneWay {
-    /// Of somebody who stands first and last with the tip as these do, and bears the part `load` of the weight on it at most; none without a cane.
+    /// Of somebody who stands first and last with the tip as these do, and bears the part `load` of the vertical force on it at most; none without a cane.
     pub(super) fn new(course: &Course, body: &Body, standing: [&Standing; 2], load: f64) -> Option<Self> {
         let (cane, [first, last]) = (body.cane?, [standing[0].cane?, standing[1].cane?]);
         // The foot that it helps.
@@ -102,7 +103,7 @@ impl CaneWay {
         from.at.lerp(&to.at, way) + Vector3::y() * (self.height * up)
     }
 
-    /// The part of the whole vertical force that it bears.
+    /// The part of the vertical force that it bears.
     pub(super) fn share(&self, u: f64) -> f64 {
         let stand = &self.stands[self.stand(u)];
         let Some(falls) = stand.falls else { return 0.0 };

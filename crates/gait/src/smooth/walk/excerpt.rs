@@ -1,7 +1,7 @@
 //! Parts of a walk, from the time 0 on.
 
 use super::plan::WalkPlan;
-use crate::walking::{Walking, balanced, lean};
+use crate::walking::{Walking, balanced};
 use solaris_analysis::{ReactionError, Support, SupportLaw};
 use solaris_model::{Contact, Event, Figure, Interval, Motion, Trajectory};
 
@@ -21,7 +21,6 @@ impl<'a> Excerpt<'a> {
     pub(crate) fn samples(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         let mut motion = balanced(figure, self, self.walk.body.fingerprint, rate)?;
         motion.relief = self.walk.relief().cloned();
-        lean(&mut motion, |time| self.leant(time));
         Ok(motion)
     }
 }
@@ -29,6 +28,10 @@ impl<'a> Excerpt<'a> {
 impl SupportLaw for Excerpt<'_> {
     fn support(&self, t: f64) -> Support {
         SupportLaw::support(self.walk, self.from + t)
+    }
+
+    fn beside(&self, t: f64) -> Option<(&str, Contact)> {
+        self.walk.beside(self.from + t)
     }
 }
 
@@ -72,9 +75,5 @@ impl Walking for Excerpt<'_> {
         }
         planted.retain(|interval| interval.start < interval.end);
         planted
-    }
-
-    fn leant(&self, t: f64) -> Option<Contact> {
-        self.walk.leant(self.from + t)
     }
 }

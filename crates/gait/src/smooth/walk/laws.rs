@@ -60,7 +60,7 @@ impl WalkLaws {
         strides: &[StridePlan],
         standing: usize,
         steps: &[Step],
-        numbers: &WalkNumbers,
+        (numbers, cane_load): (&WalkNumbers, f64),
         ground: Option<&Grounded>,
     ) -> Result<Self, GaitError> {
         let gaits = match ground {
@@ -80,7 +80,7 @@ impl WalkLaws {
                 &course,
                 body,
                 [0, steps.len()].map(|k| &gaits.of_contact(k).standing),
-                numbers.cane_load,
+                cane_load,
             ),
             course,
             relief: ground.map(|ground| ground.relief.clone()),
@@ -152,13 +152,7 @@ impl WalkLaws {
     }
 
     /// The arm that holds the cane at a clock, for the pelvis there and the angles of the trunk; its fist in the world.
-    pub(super) fn held(
-        &self,
-        body: &Body,
-        u: f64,
-        pelvis: &Vector3<f64>,
-        trunk: &[Euler; 5],
-    ) -> Option<(usize, Held)> {
+    fn held(&self, body: &Body, u: f64, pelvis: &Vector3<f64>, trunk: &[Euler; 5]) -> Option<(usize, Held)> {
         let (cane, way) = (body.cane.as_ref()?, self.cane.as_ref()?);
         let (heading, carriage) = (self.course.heading(u), self.style(0).manner.carriage());
         let tip = turned(-heading, &(way.tip(u) - pelvis));
@@ -166,15 +160,30 @@ impl WalkLaws {
         Some((cane.side, Held { fist: pelvis + turned(heading, &held.fist), ..held }))
     }
 
+    /// Angles of trunk and both arms, of which one may hold a cane, and the cane's, for the pelvis at a clock.
+    pub(super) fn upper(
+        &self,
+        body: &Body,
+        u: f64,
+        pelvis: &Vector3<f64>,
+    ) -> ([Euler; 5], [[f64; 2]; 2], [f64; 2]) {
+        let (trunk, mut arms) = self.angles(u);
+        let cane = self.held(body, u, pelvis, &trunk).map_or([0.0; 2], |(side, held)| {
+            arms[side] = held.arm;
+            held.cane
+        });
+        (trunk, arms, cane)
+    }
+
     /// The cane at a clock, for the pelvis there.
     pub(super) fn cane_at(&self, body: &Body, u: f64, pelvis: &Vector3<f64>) -> Option<CaneNode> {
         let (_, held) = self.held(body, u, pelvis, &self.angles(u).0)?;
-        let (share, tip) = self.leant(u);
+        let (share, tip) = self.cane_share(u);
         Some(CaneNode { share, tip, fist: held.fist })
     }
 
     /// The part of the whole vertical force that a cane bears, and where its tip is.
-    pub(super) fn leant(&self, u: f64) -> (f64, Vector3<f64>) {
+    pub(super) fn cane_share(&self, u: f64) -> (f64, Vector3<f64>) {
         self.cane.as_ref().map_or((0.0, Vector3::zeros()), |cane| (cane.share(u), cane.tip(u)))
     }
 

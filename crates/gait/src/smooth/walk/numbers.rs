@@ -1,7 +1,6 @@
 //! The numbers of a whole walk, besides the style of its steady part. Clocks are in u, from the first lift's `u = d`.
 
 use crate::limbs::numbers::LANDING_RANGE;
-use crate::request::CANE_LOAD;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -228,8 +227,6 @@ pub struct WalkNumbers {
     pub knee_closing: f64,
     /// Part of the clearance that a foot keeps late in swing.
     pub late_clearance: f64,
-    /// The part of the weight that a cane bears at most, where a hand holds one.
-    pub cane_load: f64,
 }
 
 impl WalkNumbers {
@@ -263,7 +260,6 @@ impl WalkNumbers {
             landing_range: 15.0 * DEGREE,
             knee_closing: 0.0,
             late_clearance: 0.0,
-            cane_load: CANE_LOAD,
         }
     }
 }

@@ -84,18 +84,19 @@ impl Passes {
                     .collect()
             })
             .collect();
-        let leant: Vec<(f64, Vector3<f64>)> = clocks.iter().map(|&u| laws.leant(u)).collect();
+        let on_cane: Vec<(f64, Vector3<f64>)> = clocks.iter().map(|&u| laws.cane_share(u)).collect();
         // The feet bear what a cane does not.
         let shifts: Vec<[f64; 4]> = clocks
             .iter()
-            .zip(&leant)
+            .zip(&on_cane)
             .map(|(&u, (share, _))| laws.shifts(u).map(|shift| shift * (1.0 - share)))
             .collect();
         let shift = |shape: usize| shifts.iter().map(|shapes| shapes[shape]).collect();
         let spreads = clocks.iter().map(|&u| (spread(&laws.unshifted(u)), laws.pivot(u)));
         let spread = if laws.relief.is_some() { spreads.collect() } else { Vec::new() };
         let feet = |u: f64| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum::<Vector3<f64>>();
-        let centre = clocks.iter().zip(&leant).map(|(&u, (share, tip))| feet(u).lerp(tip, *share)).collect();
+        let centre =
+            clocks.iter().zip(&on_cane).map(|(&u, (share, tip))| feet(u).lerp(tip, *share)).collect();
         // First guess: the strides' own momentum and offset, faded in and out.
         let guess = |u: f64| {
             let (pace, other) = laws.gaits.at(u);
@@ -219,19 +220,8 @@ impl Passes {
             return;
         }
         let (body, laws, clocks) = (&self.body, &self.laws, self.timeline.clocks());
-        let held: Vec<_> = clocks
-            .iter()
-            .zip(pelvis)
-            .map(|(&u, pelvis)| {
-                let (trunk, mut arms) = laws.angles(u);
-                let held = laws.held(body, u, pelvis, &trunk);
-                let cane = held.map_or([0.0; 2], |(side, held)| {
-                    arms[side] = held.arm;
-                    held.cane
-                });
-                (trunk, arms, cane)
-            })
-            .collect();
+        let held: Vec<_> =
+            clocks.iter().zip(pelvis).map(|(&u, pelvis)| laws.upper(body, u, pelvis)).collect();
         self.upper = UpperBody::holding(
             body,
             &self.timeline.grid,

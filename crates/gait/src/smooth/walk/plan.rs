@@ -16,7 +16,7 @@ use crate::body::posture::Posture;
 use crate::body::rotations::{self, Euler};
 use crate::error::{GaitError, RequestError};
 use crate::limbs::stance::Stance;
-use crate::request::{Resolution, check_turned};
+use crate::request::{CANE_LOAD, Resolution, check_turned};
 use crate::smooth::prescribed::{CaneNode, PrescribedNode};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
@@ -94,6 +94,7 @@ impl WalkPlan {
             standing: 0,
             steady: 0,
             numbers,
+            cane_load: CANE_LOAD,
             whole: &whole,
             planned: planned.as_deref(),
             ground: None,
@@ -107,12 +108,12 @@ impl WalkPlan {
     ///
     /// A walk that does not close.
     pub(crate) fn of_steps(steps: &Steps<'_>, resolution: Resolution) -> Result<Self, GaitError> {
-        let Steps { strides, standing, steady, numbers, whole, planned, ground } = *steps;
+        let Steps { strides, standing, steady, numbers, cane_load, whole, planned, ground } = *steps;
         let planned = planned.unwrap_or(whole);
         let steady = strides[steady].style;
         let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
         let body = strides[standing].body.clone();
-        let laws = WalkLaws::new(&body, strides, standing, planned, &numbers, ground)?;
+        let laws = WalkLaws::new(&body, strides, standing, planned, (&numbers, cane_load), ground)?;
         let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, timeline).run(resolution.walk_passes)?;
@@ -403,6 +404,7 @@ impl WalkPlan {
 
     /// What the ground does to the cane at a clock; none without a cane.
     pub fn cane(&self, clock: f64) -> Option<Contact> {
+        self.body.cane?;
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
         let CaneNode { share, tip, fist } = self.held_cane(u)?;
         let advance = Vector3::z() * advance;
@@ -440,19 +442,14 @@ impl WalkPlan {
     /// The posture at a clock.
     pub(crate) fn posture(&self, clock: f64) -> Posture {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
-        let (trunk, mut arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
-        let held = self.laws.held(&self.body, u, &pelvis, &trunk);
+        let (trunk, arms, cane) = self.laws.upper(&self.body, u, &pelvis);
         let heading = self.laws.course.heading(u);
         let hips = self.hips(&pelvis, trunk[0], heading);
         let legs = self.legs_below(u, &hips);
         let feet = [0, 1].map(|side| self.laws.foot_heading(side, u) - heading);
         let pelvis = pelvis + Vector3::z() * advance;
         let carriage = self.laws.style(0).manner.carriage();
-        let mut cane = [0.0; 2];
-        if let Some((side, held)) = held {
-            (arms[side], cane) = (held.arm, held.cane);
-        }
         let ahead = Posture { pelvis, trunk, arms, cane, carriage, legs, heading, feet };
         let seen = if self.left_first { ahead.mirrored() } else { ahead };
         let pelvis = self.from.place + turned(self.from.heading, &seen.pelvis);

@@ -124,8 +124,12 @@ impl SupportLaw for WalkPlan {
     fn support(&self, t: f64) -> Support {
         let u = self.clock_at(t);
         let pivot = self.laws.pivot(self.repeat.fold(u).0);
-        let leant = self.cane(u).map_or_else(Vector3::zeros, |cane| cane.force);
-        Support { feet: self.support(u), pivot, force: Some(self.force(u) - leant) }
+        let on_cane = self.cane(u).map_or_else(Vector3::zeros, |cane| cane.force);
+        Support { feet: self.support(u), pivot, force: Some(self.force(u) - on_cane) }
+    }
+
+    fn beside(&self, t: f64) -> Option<(&str, Contact)> {
+        Some((CANE, self.cane(self.clock_at(t))?))
     }
 }
 
@@ -136,9 +140,5 @@ impl Walking for WalkPlan {
 
     fn planted(&self, figure: &Figure) -> Vec<Interval> {
         Self::planted(self, figure)
-    }
-
-    fn leant(&self, t: f64) -> Option<Contact> {
-        self.cane(self.clock_at(t))
     }
 }

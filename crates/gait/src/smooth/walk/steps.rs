@@ -15,6 +15,8 @@ pub(crate) struct Steps<'a> {
     pub(crate) steady: usize,
     pub(crate) whole: &'a [Step],
     pub(crate) numbers: WalkNumbers,
+    /// What a cane bears at most, over the vertical force.
+    pub(crate) cane_load: f64,
     /// A shorter walk of which the middle stride is repeated.
     pub(crate) planned: Option<&'a [Step]>,
     /// Ground that is not level, and what its contacts are gone with.
