@@ -322,8 +322,8 @@ impl<'a> Planner<'a> {
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let has_steady = has_steady && route.is_level();
         let legs_differ = legs_differ(self.body);
-        // In reversed time samples fall between those of the walk forward; legs that are nearly straight beside their feet last for some milliseconds.
-        let least_rate = if styling.backward && !route.is_level() {
+        // In reversed time samples fall between those of the walk forward; of a cane not so many walks are known; legs that are nearly straight beside their feet last for some milliseconds.
+        let least_rate = if styling.backward && !route.is_level() || self.body.cane.is_some() {
             FINEST_RATE
         } else if is_unusual(self.body) {
             FINER_RATE

@@ -134,6 +134,10 @@ fn the_ground_carries_the_body_with_its_cane() {
         let beside = unbalanced(&figure, &motion);
         assert!(beside < 1e-5, "{name}: {beside} N");
         assert_eq!(motion.contacts.len(), 3, "{name}");
+        // Whichever foot the forces are computed from.
+        let rooted =
+            solaris_analysis::reactions_from_feet(&figure, &mut motion, FEET).expect("from the feet");
+        assert!(rooted.torque < 1e-8 && rooted.reaction_force < 1e-8, "{name}: {rooted:?}");
     }
 }
 
@@ -280,7 +284,7 @@ fn held_of(all: usize, seed: u64) -> usize {
         let mut motion = plan.motion(&figure, 960.0).expect("sampled");
         solaris_analysis::ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
         let found = measure(&figure, &motion).expect("measured").extremes;
-        assert!(found.cop_outside.value < 5.2e-3 && found.slide.value < 1e-4, "{i}, {asked:?}: {found:?}");
+        assert!(found.cop_outside.value < 5e-3 && found.slide.value < 1e-4, "{i}, {asked:?}: {found:?}");
     }
     held
 }

@@ -76,6 +76,32 @@ fn a_walk_up_a_slope_stands_on_it_and_a_stick_touches_it() {
 }
 
 #[test]
+fn a_cane_bears_its_part_in_a_scene_too() {
+    let text = "Scene(version: 1, figures: {\"ann\": Figure(body: Human(height: 1.65, mass: 58, cane: \"right\"))}, \
+                walk: Walk(steps: 6, step_frequency: 85))";
+    let scene = solaris_scene::read(text, &mut solaris_scene::NoFiles).expect("a scene");
+    let simulated = scene.simulate(&mut ()).expect("runs");
+    let motion = &simulated.motion;
+    let weight = scene.figure().mass() * 9.80665;
+    let track = |link: &str| motion.contacts.iter().find(|track| track.link == link).expect("a track");
+    let [cane, left, right] = ["cane", "left_foot", "right_foot"].map(track);
+    let part = |frame: usize| {
+        let [cane, left, right] = [cane, left, right].map(|track| track.samples[frame].force.y);
+        cane / (cane + left + right)
+    };
+    let most = (0..motion.len()).map(part).fold(0.0, f64::max);
+    assert!((most - 0.15).abs() < 2e-3, "{most}");
+    let beside = simulated.reactions.expect("reactions").from_prescribed.expect("prescribed");
+    assert!(beside.value < 0.02 * weight, "{beside:?}");
+    // The left foot, which it helps, goes first.
+    let lifts = motion.events.iter().find_map(|event| match &event.kind {
+        solaris_model::EventKind::LiftOff { link } => Some(link.as_str()),
+        _ => None,
+    });
+    assert_eq!(lifts, Some("left_foot"));
+}
+
+#[test]
 fn a_walk_up_stairs_is_that_of_the_walker() {
     let scene = fixture("walk_stairs.ron");
     let simulated = scene.simulate(&mut ()).expect("runs");
