@@ -17,6 +17,7 @@ use solaris::gait::{
     RunEnd, RunPart, RunRequest, STEPS, Staged, StyledRequest, ThesisRequest, WalkPart, WalkRequest,
     least_run_steps, stages,
 };
+use solaris::model::Figure;
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED_STEPS: (usize, usize) = (42, 6);

@@ -4,8 +4,8 @@
 use super::load::walked;
 use super::random::Random;
 use solaris_gait::{
-    CANE, CANE_LOADS, ChairRequest, Extent, FEET, FRICTION, RunRequest, WalkGround, WalkRequest, WalkSegment,
-    WalkSequence, Walker, chair, helped_side, measure, run, walk,
+    CANE, CANE_LOADS, ChairRequest, Extent, FEET, FRICTION, RunRequest, StyleSheet, WalkGround, WalkRequest,
+    WalkSegment, WalkSequence, Walker, chair, helped_side, measure, run, walk,
 };
 use solaris_model::{Figure, Human, Motion, RootOrder, Trajectory, Vector3};
 
@@ -124,7 +124,7 @@ fn the_ground_carries_the_body_with_its_cane() {
         ("in a bend", WalkRequest { turn: -0.25, extent: Extent::Steps(7), ..usual() }),
         ("repeated", WalkRequest { extent: Extent::Steps(50), ..usual() }),
         ("backward", WalkRequest { backward: true, extent: Extent::Steps(4), ..usual() }),
-        ("a limp", WalkRequest { sides: [Default::default(), limp], ..usual() }),
+        ("a limp", WalkRequest { sides: [StyleSheet::default(), limp], ..usual() }),
         ("one step", WalkRequest { extent: Extent::Steps(1), ..usual() }),
     ] {
         let plan = walk(&figure, &asked).unwrap_or_else(|error| panic!("{name}: {error}"));
