@@ -27,7 +27,7 @@ fn manners_add_up_and_files_are_manners() {
     assert!((pace(&asked) - 100.0).abs() < 1e-12);
     fs::write(path.join("wild.ron"), "Manner(arm_swing: Times(3))").expect("written");
     let wild = walked(path, &["--style-file", "wild.ron"])["notes"].to_string();
-    assert!(wild.contains("of the manner and of the variability is walked"), "{wild}");
+    assert!(wild.contains("% of the manner and of the variability are walked"), "{wild}");
 }
 
 #[test]

@@ -420,8 +420,8 @@ impl WalkPlan {
 
     /// By how much the hand that holds it is farther from its tip then than it is long (m); nothing without a cane.
     pub(super) fn beyond_cane(&self, u: f64) -> f64 {
-        let apart = |held: CaneNode| (held.fist - held.tip).norm();
-        self.held_cane(u).zip(self.body.cane).map_or(0.0, |(held, cane)| (apart(held) - cane.length).abs())
+        let Some(cane) = self.body.cane else { return 0.0 };
+        self.held_cane(u).map_or(0.0, |held| ((held.fist - held.tip).norm() - cane.length).abs())
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
