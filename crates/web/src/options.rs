@@ -42,7 +42,7 @@ pub(crate) fn gait_options(given: Option<WalkOptions>) -> Result<GaitOptions, Js
         seed: fields.whole("seed", MOST_SEED)?.unwrap_or_default(),
         style: fields.get("style", named)?.unwrap_or_default(),
         left_first: fields.flag("leftFirst")?,
-        cane_load: fields.number("caneLoad")?,
+        cane_load: cane_load(&mut fields)?,
         forefoot: fields.flag("forefoot")?.unwrap_or_default(),
         give: fields.number("give")?,
         from: run_end(&mut fields, ["fromStanding", "fromWalking"])?,
@@ -110,18 +110,23 @@ fn run_walk(at: &str, given: JsValue) -> Result<RunWalkOptions, JsError> {
     Ok(walk)
 }
 
+/// What a cane bears; the smallest entry has none.
+fn cane_load(fields: &mut Fields<'_>) -> Result<Option<f64>, JsError> {
+    if cfg!(feature = "usual") { fields.number("caneLoad") } else { Ok(None) }
+}
+
 /// A person with what hands carry and hold, and with a shorter leg.
 pub(crate) fn human_options(human: Human, given: Option<HumanOptions>) -> Result<Human, JsError> {
     let Some(given) = given else { return Ok(human) };
     let mut fields = Fields::new(&given, "")?;
     let loads = fields.get("load", named)?.unwrap_or_default();
     let shorter = fields.get("shorterLeg", named)?.unwrap_or_default();
-    let cane = fields.text("cane")?;
-    fields.end()?;
-    let human = match cane {
+    #[cfg(feature = "usual")]
+    let human = match fields.text("cane")? {
         Some(hand) => human.cane(hand),
         None => human,
     };
+    fields.end()?;
     let human = loads.into_iter().fold(human, |human, (hand, load)| human.load(hand, load));
     Ok(shorter.into_iter().fold(human, |human, (leg, by)| human.shorter_leg(leg, by)))
 }

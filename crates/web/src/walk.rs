@@ -80,7 +80,7 @@ extern "C" {
     pub type WalkOptions;
 }
 
-/// Plans a walk or a run of a figure with the segments of a human, and finds the forces of the ground and of every joint. Runs, walks through
+/// Plans a walk or a run of a figure with the segments of a human, and finds the forces of the ground and of every joint. Runs, canes, walks through
 /// key postures and loops are in `solaris-motion`, not in `solaris-motion/lean`; so is to walk as much of a manner as holds, where not all does.
 #[wasm_bindgen]
 pub fn walk(figure: &Figure, options: Option<WalkOptions>) -> Result<Motion, JsError> {

@@ -38,8 +38,11 @@ pub(crate) fn check(figure: &Figure) -> Result<(), BodyError> {
     }
 }
 
-/// The same of one that may hold a cane.
+/// The same of one that may hold a cane, where that is compiled in.
 pub(crate) fn check_for_walk(figure: &Figure) -> Result<(), BodyError> {
+    if !cfg!(feature = "cane") && figure.link(CANE).is_some() {
+        return Err(BodyError::HoldsCane { figure: figure.name().to_owned() });
+    }
     refuse(figure, of_body(figure))
 }
 

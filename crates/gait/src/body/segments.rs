@@ -2,7 +2,9 @@
 
 use super::foot::{mirror, mirror_rotation};
 use super::leg::LegGeometry;
-use super::roles::{ARM, CANE, LEG, MIDDLE, SIDES};
+#[cfg(feature = "cane")]
+use super::roles::CANE;
+use super::roles::{ARM, LEG, MIDDLE, SIDES};
 use crate::error::BodyError;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, RootOrder, Vector3 as V3};
@@ -45,10 +47,21 @@ pub(crate) struct Cane {
     pub(crate) segment: Segment,
     /// From the fist to its tip (m).
     pub(crate) length: f64,
+    /// Without the feature there is none, and the compiler leaves out whatever is done with one.
+    #[cfg(not(feature = "cane"))]
+    _never: std::convert::Infallible,
 }
 
 impl Cane {
+    /// That of a figure, if it has one; none without the feature.
+    #[cfg(not(feature = "cane"))]
+    #[allow(clippy::unnecessary_wraps, reason = "as with it")]
+    pub(crate) fn of(_: &Figure) -> Result<Option<Self>, BodyError> {
+        Ok(None)
+    }
+
     /// That of a figure, if it has one.
+    #[cfg(feature = "cane")]
     pub(crate) fn of(figure: &Figure) -> Result<Option<Self>, BodyError> {
         let Some(index) = figure.link_index(CANE) else { return Ok(None) };
         let link = &figure.links()[index];

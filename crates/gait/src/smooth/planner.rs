@@ -284,7 +284,7 @@ impl<'a> Planner<'a> {
 
     /// Refuses ground that nobody with a cane walks on, and what a cane cannot bear.
     fn check_cane(&self, request: &WalkRequest) -> Result<(), GaitError> {
-        let holds = self.body.cane.is_some();
+        let holds = cfg!(feature = "cane") && self.body.cane.is_some();
         if holds && request.ground != WalkGround::Level {
             return Err(BodyError::HoldsCane { figure: self.figure.name().to_owned() }.into());
         }

@@ -1,5 +1,6 @@
 //! The forces that a plan prescribes.
 
+use crate::body::Cane;
 use nalgebra::Vector3;
 use solaris_analysis::{FootSupport, split_at_pivot};
 use solaris_dynamics::Wrench;
@@ -25,15 +26,21 @@ pub(crate) struct PrescribedNode {
 /// What a cane does at one node.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CaneNode {
+    pub(crate) cane: Cane,
     pub(crate) share: f64,
     pub(crate) tip: Vector3<f64>,
     pub(crate) fist: Vector3<f64>,
 }
 
 impl CaneNode {
+    /// By how much the hand is farther from the tip, or nearer to it, than the cane is long (m).
+    pub(crate) fn beyond(&self) -> f64 {
+        ((self.fist - self.tip).norm() - self.cane.length).abs()
+    }
+
     /// The ground's force on it where all of the vertical force is so much: along the cane.
     pub(crate) fn contact(&self, vertical: f64) -> Contact {
-        let Self { share, tip, fist } = self;
+        let Self { share, tip, fist, .. } = self;
         if *share == 0.0 {
             return Contact::default();
         }
@@ -47,7 +54,7 @@ impl PrescribedNode {
     /// Centre of pressure of all that stands on the ground.
     fn centre(&self) -> Vector3<f64> {
         let feet = self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share;
-        self.cane.map_or(feet, |cane| feet.lerp(&cane.tip, cane.share))
+        self.cane().map_or(feet, |cane| feet.lerp(&cane.tip, cane.share))
     }
 
     /// The floor's whole force, which carries the centre of mass over the centre of pressure `P = Σ sᵢ Pᵢ` and leaves the angular momentum
@@ -78,9 +85,14 @@ impl PrescribedNode {
         Wrench { force, moment: self.com.cross(&force) + self.momentum_rate }
     }
 
+    /// None without the feature, so that nothing of it is compiled then.
+    fn cane(&self) -> Option<CaneNode> {
+        self.cane.filter(|_| cfg!(feature = "cane"))
+    }
+
     /// What the ground does to a cane.
     fn cane_contact(&self) -> Contact {
-        self.cane.map_or_else(Contact::default, |cane| cane.contact(self.vertical))
+        self.cane().map_or_else(Contact::default, |cane| cane.contact(self.vertical))
     }
 
     /// Each foot's part of the rest: forces that point at `pivot` times the height of the centre of mass.

@@ -8,6 +8,7 @@ use super::course::{Course, Kind, Print};
 use super::standing::Standing;
 use crate::body::Body;
 use crate::body::foot::turned;
+
 use nalgebra::Vector3;
 use solaris_profiles::step;
 

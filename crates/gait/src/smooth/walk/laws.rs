@@ -153,7 +153,7 @@ impl WalkLaws {
 
     /// The arm that holds the cane at a clock, for the pelvis there and the angles of the trunk; its fist in the world.
     fn held(&self, body: &Body, u: f64, pelvis: &Vector3<f64>, trunk: &[Euler; 5]) -> Option<(usize, Held)> {
-        let (cane, way) = (body.cane.as_ref()?, self.cane.as_ref()?);
+        let (cane, way) = (body.cane?, self.cane.as_ref()?);
         let (heading, carriage) = (self.course.heading(u), self.style(0).manner.carriage());
         let tip = turned(-heading, &(way.tip(u) - pelvis));
         let held = cane.hold(body, trunk, &carriage, &tip);
@@ -179,12 +179,13 @@ impl WalkLaws {
     pub(super) fn cane_at(&self, body: &Body, u: f64, pelvis: &Vector3<f64>) -> Option<CaneNode> {
         let (_, held) = self.held(body, u, pelvis, &self.angles(u).0)?;
         let (share, tip) = self.cane_share(u);
-        Some(CaneNode { share, tip, fist: held.fist })
+        Some(CaneNode { cane: body.cane?, share, tip, fist: held.fist })
     }
 
     /// The part of the whole vertical force that a cane bears, and where its tip is.
     pub(super) fn cane_share(&self, u: f64) -> (f64, Vector3<f64>) {
-        self.cane.as_ref().map_or((0.0, Vector3::zeros()), |cane| (cane.share(u), cane.tip(u)))
+        let cane = self.cane.as_ref().filter(|_| cfg!(feature = "cane"));
+        cane.map_or((0.0, Vector3::zeros()), |cane| (cane.share(u), cane.tip(u)))
     }
 
     /// By how much the head is turned to where the body will face a little later (rad).

@@ -216,7 +216,7 @@ impl Passes {
 
     /// Has the arm that holds a cane follow the pelvis.
     fn hold_cane(&mut self, pelvis: &[Vector3<f64>]) {
-        if self.laws.cane.is_none() {
+        if !cfg!(feature = "cane") || self.laws.cane.is_none() {
             return;
         }
         let (body, laws, clocks) = (&self.body, &self.laws, self.timeline.clocks());

@@ -404,24 +404,23 @@ impl WalkPlan {
 
     /// What the ground does to the cane at a clock; none without a cane.
     pub fn cane(&self, clock: f64) -> Option<Contact> {
-        self.body.cane?;
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
-        let CaneNode { share, tip, fist } = self.held_cane(u)?;
+        let held = self.held_cane(u)?;
         let advance = Vector3::z() * advance;
-        let [tip, fist] = [tip, fist].map(|at| self.seen_point(at + advance));
-        Some(CaneNode { share, tip, fist }.contact(self.planned_force(u).y))
+        let [tip, fist] = [held.tip, held.fist].map(|at| self.seen_point(at + advance));
+        Some(CaneNode { tip, fist, ..held }.contact(self.planned_force(u).y))
     }
 
     /// The cane at a clock of the walk that was planned.
     fn held_cane(&self, u: f64) -> Option<CaneNode> {
+        self.body.cane?;
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
         self.laws.cane_at(&self.body, u, &pelvis)
     }
 
     /// By how much the hand that holds it is farther from its tip then than it is long (m); nothing without a cane.
     pub(super) fn beyond_cane(&self, u: f64) -> f64 {
-        let Some(cane) = self.body.cane else { return 0.0 };
-        self.held_cane(u).map_or(0.0, |held| ((held.fist - held.tip).norm() - cane.length).abs())
+        self.held_cane(u).map_or(0.0, |held| held.beyond())
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
