@@ -71,8 +71,8 @@ pub(crate) fn chair(
     };
     let usual = ChairRequest::default();
     let request = ChairRequest { motion, seat: seat_height, duration, shank: shank.unwrap_or(usual.shank) };
-    let figure =
-        figure.map_or_else(|| human(height, mass, age, false, None, None), |figure| Ok(figure.clone()))?;
+    let figure = figure
+        .map_or_else(|| human(height, mass, age, false, None, None, None), |figure| Ok(figure.clone()))?;
     let made = py.detach(|| {
         let who = figure.figure();
         let plan = plan_chair(who, &request)?;

@@ -347,11 +347,11 @@ impl Walk {
         (height, mass, age): (f64, Option<f64>, Option<f64>),
     ) -> PyResult<Self> {
         let mut who = figure
-            .map_or_else(|| human(height, mass, age, false, None, None), |figure| Ok(figure.clone()))?;
+            .map_or_else(|| human(height, mass, age, false, None, None, None), |figure| Ok(figure.clone()))?;
         let make = |who: &Figure| py.detach(|| options.make(who.figure()));
         let mut made = make(&who);
         if figure.is_none() && made.as_ref().is_err_and(GaitError::turns_too_far) {
-            who = human(height, mass, age, true, None, None)?;
+            who = human(height, mass, age, true, None, None, None)?;
             made = make(&who);
         }
         let made = made.map_err(errors::gait)?;

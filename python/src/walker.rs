@@ -36,8 +36,8 @@ impl Walker {
     #[new]
     #[pyo3(signature = (figure=None))]
     fn new(py: Python<'_>, figure: Option<&Figure>) -> PyResult<Self> {
-        let figure =
-            figure.map_or_else(|| human(1.75, None, None, true, None, None), |figure| Ok(figure.clone()))?;
+        let figure = figure
+            .map_or_else(|| human(1.75, None, None, true, None, None, None), |figure| Ok(figure.clone()))?;
         let walker = py.detach(|| gait::Walker::new(figure.figure())).map_err(crate::errors::gait)?;
         Ok(Self { figure, walker })
     }
