@@ -258,7 +258,7 @@ fn many_with_a_cane_obey_the_laws() {
 
 /// What docs/manners.md says of it.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "400 walks: cargo xtask nightly"]
 fn hundreds_with_a_cane_obey_the_laws() {
     println!("{} of 400 are walked", held_of(400, 1));
 }
